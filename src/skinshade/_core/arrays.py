@@ -1,0 +1,106 @@
+"""Checks of shape, type and finiteness, at the border where arrays come in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import ArgumentError
+
+__all__ = ["FloatArray", "ImageArray", "IntArray", "as_faces", "as_floats", "as_rgb", "dot", "unit_vectors"]
+
+FloatArray = NDArray[np.float64]
+ImageArray = NDArray[np.float32]
+IntArray = NDArray[np.int64]
+
+
+def as_floats(
+    name: str,
+    value: ArrayLike,
+    shape: Sequence[int | None] | None = None,
+    *,
+    low: float = -np.inf,
+    high: float = np.inf,
+) -> FloatArray:
+    """Return `value` as finite float64 of a given shape and range.
+
+    Parameters
+    ----------
+    name
+        What the caller calls it; stands in the message.
+    shape
+        One entry an axis, ``None`` where any length will do; ``None`` for any shape.
+    low, high
+        The closed range that every element must lie in.
+
+    Raises
+    ------
+    ArgumentError
+        Names the argument, the first index at fault and its value.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"{name}: not an array of numbers ({error})") from None
+    if shape is not None:
+        fits = array.ndim == len(shape) and all(
+            want is None or have == want for have, want in zip(array.shape, shape, strict=True)
+        )
+        if not fits:
+            wanted = ", ".join("any" if want is None else str(want) for want in shape)
+            raise ArgumentError(f"{name}: shape is {array.shape}; it must be ({wanted})")
+    bad = ~np.isfinite(array)
+    if bad.any():
+        raise ArgumentError(f"{name}{_first(array, bad)}; it must be finite")
+    bad = (array < low) | (array > high)
+    if bad.any():
+        raise ArgumentError(f"{name}{_first(array, bad)}; it must lie in [{low:g}, {high:g}]")
+    return array
+
+
+def as_rgb(name: str, value: ArrayLike, *, low: float = -np.inf, high: float = np.inf) -> FloatArray:
+    """Return `value` as three channels, repeating a scalar."""
+    array = as_floats(name, value, low=low, high=high)
+    if array.shape not in ((), (3,)):
+        raise ArgumentError(f"{name}: shape is {array.shape}; it must be one number or three (R, G, B)")
+    return np.array(np.broadcast_to(array, (3,)))
+
+
+def as_faces(name: str, value: ArrayLike, vertex_count: int) -> IntArray:
+    """Return `value` as (F, 3) int64 whose every index is that of a vertex.
+
+    Raises
+    ------
+    ArgumentError
+        If the shape is another, or an index is out of range.
+    """
+    array = np.asarray(value)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ArgumentError(f"{name}: shape is {array.shape}; it must be (any, 3)")
+    if array.dtype.kind not in "iu":
+        raise ArgumentError(f"{name}: type is {array.dtype}; it must be an integer type")
+    bad = (array < 0) | (array >= vertex_count)
+    if bad.any():
+        raise ArgumentError(f"{name}{_first(array, bad)}; there are {vertex_count} vertices")
+    return array.astype(np.int64, copy=False)
+
+
+def dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Return the scalar product over the last axis, without a temporary of the product."""
+    result: FloatArray = np.einsum("...i,...i->...", a, b)
+    return result
+
+
+def unit_vectors(vectors: FloatArray) -> FloatArray:
+    """Return `vectors` (..., 3) at length 1; a zero vector stays zero."""
+    length = np.sqrt(dot(vectors, vectors))[..., None]
+    result: FloatArray = vectors / np.where(length > 0.0, length, 1.0)
+    return result
+
+
+def _first(array: NDArray[np.generic], bad: NDArray[np.bool_]) -> str:
+    index = tuple(int(i) for i in np.argwhere(bad)[0])
+    place = "[" + ", ".join(map(str, index)) + "]" if index else ""
+    return f"{place} is {array[index]}"

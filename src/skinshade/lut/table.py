@@ -1,0 +1,180 @@
+"""A lookup table that knows its axes, units, range and origin."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._core.arrays import FloatArray, ImageArray, as_floats
+from .._core.errors import ArgumentError
+
+__all__ = ["Axis", "Lut", "LutKind", "checked_size"]
+
+LutKind = Literal["curvature", "shadow"]
+Spacing = Literal["linear", "sqrt"]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One axis of a table; its texel centres stand at (i + ½)/n of the way from low to high.
+
+    Attributes
+    ----------
+    name, unit
+        What is looked up, and in which unit (``1`` for none).
+    low, high
+        Its values at the outer edges of the first and last texel.
+    spacing
+        ``linear``, or ``sqrt`` where equal steps are equal steps of the square root.
+    """
+
+    name: str
+    unit: str
+    low: float
+    high: float
+    spacing: Spacing = "linear"
+
+    def __post_init__(self) -> None:
+        if self.spacing not in get_args(Spacing):
+            raise ArgumentError(f"axis {self.name}: spacing is {self.spacing!r}; linear or sqrt")
+        if not (np.isfinite(self.low) and np.isfinite(self.high) and self.low < self.high):
+            raise ArgumentError(f"axis {self.name}: from {self.low} to {self.high} does not rise")
+
+    def centres(self, count: int) -> FloatArray:
+        """Return the values (count,) at the texel centres."""
+        low, high = self._warp(np.array([self.low, self.high]))
+        steps = low + (high - low) * (np.arange(count) + 0.5) / count
+        return np.square(steps) if self.spacing == "sqrt" else steps
+
+    def coordinate(self, value: FloatArray) -> FloatArray:
+        """Return where values lie, 0 at the low edge, 1 at the high one, clamped."""
+        low, high = self._warp(np.array([self.low, self.high]))
+        clamped = np.clip(value, self.low, self.high)
+        result: FloatArray = (self._warp(clamped) - low) / (high - low)
+        return result
+
+    def _warp(self, value: FloatArray) -> FloatArray:
+        return np.sqrt(value) if self.spacing == "sqrt" else value
+
+
+@dataclass(frozen=True)
+class Lut:
+    """A table of RGB values.
+
+    Attributes
+    ----------
+    values
+        (H, W, 3) float32, physical: no encoding, no offset.
+    kind
+        ``curvature`` or ``shadow``.
+    columns, rows
+        What runs along the width and the height.
+    provenance
+        Profile, parameters and version that made it; JSON types only.
+    """
+
+    values: ImageArray
+    kind: LutKind
+    columns: Axis
+    rows: Axis
+    provenance: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.values.ndim != 3 or self.values.shape[2] != 3 or 0 in self.values.shape:
+            raise ArgumentError(f"values: shape is {self.values.shape}; it must be (H, W, 3)")
+        if not np.isfinite(self.values).all():
+            raise ArgumentError("values: a table must be finite")
+        if self.kind not in get_args(LutKind):
+            raise ArgumentError(f"kind is {self.kind!r}; it must be curvature or shadow")
+
+    @property
+    def value_range(self) -> tuple[float, float]:
+        """The least and the greatest value."""
+        return float(self.values.min()), float(self.values.max())
+
+    def sample(self, column: ArrayLike, row: ArrayLike) -> FloatArray:
+        """Look values up, bilinearly, clamped at the edges: what a GPU sampler does.
+
+        Parameters
+        ----------
+        column
+            (...) N·L (curvature) or the value of the wide shadow filter (shadow).
+        row
+            (...) curvature, or N·L over the filter's width; 1/mm.
+
+        Returns
+        -------
+        (..., 3)
+        """
+        u = self.columns.coordinate(as_floats("column", column))
+        v = self.rows.coordinate(as_floats("row", row))
+        return self.sample_at(u, v)
+
+    def sample_at(self, u: FloatArray, v: FloatArray) -> FloatArray:
+        """Look values up at texture coordinates 0..1; broadcasts; no check."""
+        height, width, _ = self.values.shape
+        x = np.clip(u * width - 0.5, 0.0, width - 1.0)
+        y = np.clip(v * height - 0.5, 0.0, height - 1.0)
+        x0 = np.minimum(x.astype(np.int64), max(width - 2, 0))
+        y0 = np.minimum(y.astype(np.int64), max(height - 2, 0))
+        fx, fy = (x - x0)[..., None], (y - y0)[..., None]
+        x1, y1 = np.minimum(x0 + 1, width - 1), np.minimum(y0 + 1, height - 1)
+        t = self.values
+        top = t[y0, x0] * (1.0 - fx) + t[y0, x1] * fx
+        bottom = t[y1, x0] * (1.0 - fx) + t[y1, x1] * fx
+        result: FloatArray = top * (1.0 - fy) + bottom * fy
+        return result
+
+    def description(self) -> dict[str, Any]:
+        """Return all but the values, as JSON types: what the files carry beside them."""
+        return {
+            "kind": self.kind,
+            "columns": asdict(self.columns),
+            "rows": asdict(self.rows),
+            "provenance": dict(self.provenance),
+        }
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``.exr`` (float), ``.png`` (16 bits, range in the metadata) or ``.npz``.
+
+        EXR and npz load back equal; PNG to half a step of range/65535 per channel.
+
+        Raises
+        ------
+        OutputError, ArgumentError
+            If the place cannot be written, or the suffix is another.
+        """
+        from .files import save_lut
+
+        save_lut(self, path)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Lut:
+        """Read what `save` wrote.
+
+        Raises
+        ------
+        LutFileError
+            If the file is missing, corrupt, or carries no description of its axes.
+        """
+        from .files import load_lut
+
+        return load_lut(path)
+
+
+def checked_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Return (width, height) if each is 2..16384.
+
+    Raises
+    ------
+    ArgumentError
+    """
+    width, height = (int(n) for n in size)
+    if not (2 <= width <= 16384 and 2 <= height <= 16384):
+        raise ArgumentError(f"size is {width}×{height}; each side must be 2..16384 texels")
+    return width, height

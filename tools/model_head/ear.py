@@ -1,0 +1,112 @@
+"""The outer ear as a thin bent sheet.
+
+In the ear's own frame ``u`` goes backwards, ``v`` up along the ear and ``w`` out of its plane.  The
+cartilage is a sheet of 2.6-4 mm about a height ``w = m(u, v)``, bounded by an outline in ``(u, v)``;
+the curled rim (helix) and the tragus are tubes laid on top.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .fields import (
+    Array,
+    along,
+    bump,
+    polygon,
+    ramp,
+    round_cone,
+    smooth_intersection,
+    smooth_union,
+    spline,
+    sweep,
+    within,
+)
+
+ORIGIN_MM = np.array([69.5, -7.0, -3.0])
+TILT_DEG = 13.0
+STAND_OFF_DEG = 27.0
+
+_OUTLINE = [
+    (-2, -24), (1.5, -29.5), (6, -31.5), (11, -30), (15, -25.5), (20, -18.5), (26.5, -9), (30.5, 2),
+    (31, 13), (27.5, 23), (20, 29), (11, 30.3), (3.5, 26.5), (-0.5, 19), (-2.5, 9), (-4, -2),
+    (-4, -13),
+]
+_RIM = [
+    (6.5, -3.0, -3.5), (3.0, 3.5, -0.5), (0.5, 12, 2.2), (2.3, 21, 2.8), (8.5, 27, 2.8),
+    (18.0, 26.6, 2.6), (25.6, 20.6, 2.6), (28.6, 11.5, 2.6), (28.0, 1.5, 2.4), (24.5, -8, 2.2),
+    (19.0, -16.5, 1.6), (14.5, -22.5, 1.0),
+]
+_RIM_RADIUS = [0.9, 1.6, 2.1, 2.3, 2.4, 2.4, 2.4, 2.3, 2.2, 2.0, 1.6, 1.0]
+_ANTIHELIX = [(9.5, -16.5), (14.5, -12.5), (18.6, -6), (20, 2), (18.5, 9.5), (15.5, 16), (13.5, 21)]
+_LOWER_CRUS = [(19.2, 6.5), (14.5, 11.0), (9.0, 12.5), (4.5, 12.5)]
+_CONCHA = [(5.0, -8.5), (9.0, -6.5), (12.5, -1.0), (11.5, 5.0)]
+
+
+def frame() -> Array:
+    """Rows ``u, v, w`` of the left ear's frame in head coordinates, ``(3, 3)``."""
+    tilt, off = np.radians(TILT_DEG), np.radians(STAND_OFF_DEG)
+    back = np.array([0.0, -np.sin(tilt), -np.cos(tilt)])
+    v = np.array([0.0, np.cos(tilt), -np.sin(tilt)])
+    side = np.array([1.0, 0.0, 0.0])
+    u = np.cos(off) * back + np.sin(off) * side
+    w = np.cos(off) * side - np.sin(off) * back
+    return np.stack([u, v, w])
+
+
+def to_ear(p: Array) -> Array:
+    """Head coordinates ``(N, 3)`` (either side) to ear coordinates ``(N, 3)``, millimetres."""
+    s = p.copy()
+    s[:, 0] = np.abs(p[:, 0])
+    return np.asarray((s - ORIGIN_MM) @ frame().T)
+
+
+def _height_mm(uv: Array) -> Array:
+    """Middle height of the sheet over the ear's plane."""
+    u, v = uv[:, 0], uv[:, 1]
+    anti, at = along(uv, spline(np.column_stack([_ANTIHELIX, np.zeros(len(_ANTIHELIX))]), 30)[:, :2])
+    crus, _ = along(uv, np.asarray(_LOWER_CRUS, dtype=np.float64))
+    bowl, _ = along(uv, np.asarray(_CONCHA, dtype=np.float64))
+    m = 0.055 * np.maximum(u - 8.0, 0.0) - 0.0025 * np.maximum(u - 8.0, 0.0) ** 2
+    m += 4.2 * bump(anti, 3.0) * (0.75 + 0.25 * np.cos(2.0 * (at - 0.35)))
+    m += 2.3 * bump(crus, 2.2) * ramp(u, 3.0, 8.0)
+    m -= 9.5 * ramp(bowl, 9.8, 3.5) * ramp(anti, 0.0, 5.5)
+    m -= 3.4 * bump(np.hypot(u - 10.0, (v - 18.5) * 1.25), 3.6)  # triangular hollow
+    m -= 1.2 * ramp(v, -19.0, -28.0)
+    return np.asarray(m)
+
+
+def ear(p: Array) -> Array:
+    """The ear alone, both sides folded onto one."""
+    e = to_ear(p)
+    uv = e[:, :2]
+    outline = spline(np.column_stack([_OUTLINE, np.zeros(len(_OUTLINE))]), 72, closed=True)[:, :2]
+    inside = polygon(uv, outline)
+    middle = _height_mm(uv)
+    slope = 1e-2
+    du = (_height_mm(uv + [slope, 0.0]) - middle) / slope
+    dv = (_height_mm(uv + [0.0, slope]) - middle) / slope
+    steep = np.sqrt(1.0 + np.minimum(du * du + dv * dv, 9.0))
+    half = 1.35 + 0.9 * ramp(uv[:, 1], -15.0, -24.0)
+    sheet = np.abs(e[:, 2] - middle) / steep - half
+    body = smooth_intersection(sheet, inside + 0.6, 1.6)
+    rim = sweep(e, _RIM, _RIM_RADIUS, samples=48)
+    body = smooth_union(body, rim, 2.0)
+    tragus = sweep(
+        e, [(-4.0, 2.5, -2.0), (0.0, -3.5, 1.4), (1.6, -8.5, 2.2), (0.5, -13.5, 0.6)],
+        [2.0, 2.1, 2.2, 1.6],
+    )
+    body = smooth_union(body, tragus, 3.0)
+    antitragus = round_cone(e, (8.5, -17.5, 2.2), (12.0, -14.8, 2.6), 1.9, 1.7)
+    body = smooth_union(body, antitragus, 3.0)
+    lobe = round_cone(e, (4.5, -24.5, 0.0), (9.5, -24.0, 0.2), 2.4, 2.2)
+    return smooth_union(body, lobe, 5.0)
+
+
+def add_ears(f: Array, p: Array) -> Array:
+    """Fuse both ears with the head, keeping the gap behind them open."""
+    near = within(p * [0, 1, 1] + np.abs(p) * [1, 0, 0], (52, -50, -55), (112, 42, 25))
+    out = f.copy()
+    q = p[near]
+    out[near] = smooth_union(f[near], ear(q), 3.5)
+    return out
