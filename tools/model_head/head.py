@@ -10,8 +10,8 @@ from .fields import Array, smooth_intersection
 from .skull import bust_cut, jaw_fillet_mm, mask, neck
 
 
-def _uneven(p: Array) -> Array:
-    """Bend space by 1-2 mm so that the two halves differ, as in every grown face."""
+def unevenness(p: Array) -> Array:
+    """Shift ``(N, 3)`` of 1-2 mm by which the two halves differ, as in every grown face."""
     x, y, z = p[:, 0], p[:, 1], p[:, 2]
     face = np.exp(-0.5 * ((z - 85.0) / 45.0) ** 2)
     dx = face * (1.1 * np.exp(-0.5 * ((y + 38.0) / 20.0) ** 2) - 0.9 * np.exp(
@@ -20,12 +20,10 @@ def _uneven(p: Array) -> Array:
         -0.5 * ((y - 12.0) / 16.0) ** 2)) + 1.6 * np.tanh(x / 60.0) * np.exp(
         -0.5 * ((z + 15.0) / 30.0) ** 2)
     dz = 0.9 * np.tanh(x / 40.0) * np.exp(-0.5 * ((y + 20.0) / 50.0) ** 2)
-    return p - np.stack([dx, dy, dz], axis=1)
+    return np.stack([dx, dy, dz], axis=1)
 
 
-def head(points_mm: Array) -> Array:
-    """Signed distance ``(N,)`` in millimetres to the bust, negative inside, at ``(N, 3)``."""
-    p = _uneven(points_mm)
+def _without_ears(p: Array) -> Array:
     f = mask(p) - relief_mm(p)
     f = add_nose(f, p)
     f = add_eyes(f, p)
@@ -33,8 +31,18 @@ def head(points_mm: Array) -> Array:
     width = jaw_fillet_mm(p)
     body = neck(p)
     h = np.maximum(width - np.abs(f - body), 0.0)
-    f = np.minimum(f, body) - h * h * (0.25 / width)
-    f = add_ears(f, p)
+    return np.asarray(np.minimum(f, body) - h * h * (0.25 / width))
+
+
+def rest_of_head(points_mm: Array) -> Array:
+    """The head without its ears and without the cut at the shoulders."""
+    return _without_ears(points_mm - unevenness(points_mm))
+
+
+def head(points_mm: Array) -> Array:
+    """Signed distance ``(N,)`` in millimetres to the bust, negative inside, at ``(N, 3)``."""
+    p = points_mm - unevenness(points_mm)
+    f = add_ears(_without_ears(p), p)
     return smooth_intersection(f, bust_cut(p), 9.0)
 
 

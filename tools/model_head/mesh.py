@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import gpytoolbox
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import connected_components
 from skimage.measure import marching_cubes
 
-from .fields import Array, Field
+from .fields import Array, Field, bump, ramp
 
 LOW_MM = np.array([-132.0, -224.0, -128.0])
 HIGH_MM = np.array([132.0, 128.0, 132.0])
@@ -41,5 +44,90 @@ def polygonise(field: Field, step_mm: float, *, block: int = 8) -> tuple[Array, 
     for i in range(0, len(corners), 64):
         at = (corners[i : i + 64, None, :] + inner[None]).reshape(-1, 3)
         volume[at[:, 0], at[:, 1], at[:, 2]] = evaluate(field, at * step_mm + LOW_MM)
-    vertices, faces, _, _ = marching_cubes(volume, 0.0, gradient_direction="ascent")
+    vertices, faces, _, _ = marching_cubes(volume, 0.0)
     return vertices.astype(np.float64) * step_mm + LOW_MM, faces.astype(np.int64)
+
+
+def unit(v: Array) -> Array:
+    """Vectors ``(N, 3)`` divided by their lengths."""
+    return np.asarray(v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-12))
+
+
+def face_normals(vertices: Array, faces: Faces) -> Array:
+    """Unnormalised normals ``(F, 3)``, twice the area long."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return np.asarray(np.cross(b - a, c - a))
+
+
+def largest_component(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
+    """Drop all but the connected piece with the most vertices."""
+    n = len(vertices)
+    ones = np.ones(len(faces) * 2, dtype=np.int8)
+    pairs = np.concatenate([faces[:, :2], faces[:, 1:]])
+    count, label = connected_components(csr_matrix((ones, (pairs[:, 0], pairs[:, 1])), shape=(n, n)))
+    if count == 1:
+        return vertices, faces
+    main = int(np.argmax(np.bincount(label)))
+    kept = label == main
+    index = np.cumsum(kept) - 1
+    return vertices[kept], index[faces[kept[faces[:, 0]]]]
+
+
+def project(
+    field: Field, gradient: Field, vertices: Array, *, steps: int = 4, reach_mm: float = 0.6
+) -> Array:
+    """Move vertices ``(V, 3)`` onto the zero set by damped Newton steps."""
+    v = vertices.copy()
+    for _ in range(steps):
+        g = evaluate(gradient, v)
+        value = evaluate(field, v)[:, None]
+        move = value * g / np.maximum(np.sum(g * g, axis=1, keepdims=True), 0.25)
+        length = np.linalg.norm(move, axis=1, keepdims=True)
+        v -= move * np.minimum(1.0, reach_mm / np.maximum(length, 1e-12))
+    return v
+
+
+def edge_length_mm(p: Array) -> Array:
+    """Wanted edge length: short on ears, nose, lips and lids, long on cranium and neck."""
+    x, y, z = np.abs(p[:, 0]), p[:, 1], p[:, 2]
+    face = np.exp(-0.5 * ((x / 48.0) ** 4 + ((y + 40.0) / 72.0) ** 4)) * ramp(z, 0.0, 55.0)
+    size = 6.6 - 3.1 * face
+    ears = bump(np.linalg.norm((np.stack([x, y, z], 1) - [80, -6, -17]) / [17, 36, 26], axis=1), 0.62)
+    nose = bump(np.linalg.norm((p - [0, -40, 102]) / [22, 14, 18], axis=1), 0.65)
+    wing = bump(np.linalg.norm((p - [0, -15, 98]) / [18, 30, 20], axis=1), 0.6)
+    lips = bump(np.linalg.norm((p - [0, -69.5, 92]) / [32, 13, 18], axis=1), 0.62)
+    lids = bump(np.linalg.norm((np.stack([x, y, z], 1) - [31, 0, 74]) / [20, 14, 16], axis=1), 0.65)
+    for weight, fine in ((ears, 1.55), (nose, 1.35), (wing, 2.1), (lips, 1.5), (lids, 1.35)):
+        size = size + (fine - size) * np.minimum(1.0, 1.6 * weight) * (size > fine)
+    return np.asarray(size)
+
+
+def remesh(
+    vertices: Array, faces: Faces, field: Field, gradient: Field, scale: float
+) -> tuple[Array, Faces]:
+    """Isotropic triangles of the wanted sizes times ``scale``, vertices on the zero set."""
+    v, f = vertices, faces.astype(np.int32)
+    for length in (1.35, 1.35, 1.7, 2.15, 2.75, 3.5, 4.4, 5.4, 6.6):
+        coarse = edge_length_mm(v) >= length * 0.96
+        frozen = np.flatnonzero(~coarse).astype(np.int32)
+        # the remesher calls an edge too long beyond 4/3 of its target, hence the square root
+        v, f = gpytoolbox.remesh_botsch(v, f, 3, length * scale, True, frozen)
+        v = project(field, gradient, np.asarray(v), steps=1)
+    f = np.asarray(f, dtype=np.int64)
+    v = project(field, gradient, relax(v, f, field, gradient), steps=5)
+    return largest_component(v, f)
+
+
+def relax(v: Array, f: Faces, field: Field, gradient: Field, rounds: int = 3) -> Array:
+    """Slide vertices within the surface towards the middle of their neighbours."""
+    n = len(v)
+    i = np.concatenate([f[:, 0], f[:, 1], f[:, 2]])
+    j = np.concatenate([f[:, 1], f[:, 2], f[:, 0]])
+    ring = csr_matrix((np.ones(len(i)), (i, j)), shape=(n, n))
+    degree = np.asarray(ring.sum(axis=1))
+    for _ in range(rounds):
+        normal = unit(evaluate(gradient, v))
+        pull = ring @ v / degree - v
+        pull -= np.sum(pull * normal, axis=1, keepdims=True) * normal
+        v = project(field, gradient, v + 0.4 * pull, steps=1, reach_mm=0.3)
+    return v

@@ -1,0 +1,17 @@
+"""What skin shading needs from a mesh: curvature, UV scale, frames, diffusion over its surface."""
+
+from .curvature import mesh_curvature, mesh_curvature_tensor
+from .diffusion import diffuse_on_mesh, mesh_diffused_normals
+from .model import Mesh
+from .readers import load_mesh
+from .uv_scale import mesh_uv_scale
+
+__all__ = [
+    "Mesh",
+    "diffuse_on_mesh",
+    "load_mesh",
+    "mesh_curvature",
+    "mesh_curvature_tensor",
+    "mesh_diffused_normals",
+    "mesh_uv_scale",
+]

@@ -1,0 +1,217 @@
+"""Signed curvature per vertex: the shape operator from the change of normals along edges.
+
+After [Rusinkiewicz2004], but fitted per vertex over its edges instead of per face and then averaged:
+on random triangulations that halves the error, because an edge gives the curvature at its middle.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot, unit_vectors
+from .._core.errors import ArgumentError
+from .normals import tangent_frame, vertex_normals
+from .topology import corner_areas, edges, weld
+
+__all__ = ["CurvatureMethod", "mesh_curvature", "mesh_curvature_tensor", "tensor_to_world"]
+
+CurvatureMethod = Literal["shape-operator", "edges"]
+
+SYMMETRIC = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+"""Order in which the six numbers of a symmetric 3×3 tensor are kept."""
+FIT_RIDGE = 1e-9
+"""Relative; keeps the fit solvable at a vertex all of whose edges are parallel."""
+
+
+def mesh_curvature(
+    positions: ArrayLike,
+    faces: ArrayLike,
+    normals: ArrayLike | None = None,
+    *,
+    method: CurvatureMethod = "shape-operator",
+    smoothing: int = 2,
+) -> FloatArray:
+    """Return the mean curvature of each vertex, positive where the surface is convex.
+
+    Parameters
+    ----------
+    positions
+        (V, 3) in any unit.
+    faces
+        (F, 3) indices.
+    normals
+        (V, 3) unit, outward; computed if not given.
+    method
+        ``shape-operator``, or ``edges`` for the unsigned figure of 2014.
+    smoothing
+        Passes of averaging with the neighbours, 0..100; noise in scanned normals needs two.
+
+    Returns
+    -------
+    (V,)
+        1 per unit of `positions`. Vertices at one position get one value. 2 % RMS on smooth shapes
+        of which an edge spans a tenth of a radian, first order in the edge on random meshes.
+
+    Raises
+    ------
+    ArgumentError
+        If an array has a wrong shape, a value is not finite or an index out of range.
+    """
+    p, f, n = _checked(positions, faces, normals)
+    if not 0 <= smoothing <= 100:
+        raise ArgumentError(f"smoothing is {smoothing}; it must be 0..100 passes")
+    if method == "edges":
+        return _edge_curvature(p, f, n, smoothing)
+    if method != "shape-operator":
+        raise ArgumentError(f"method is {method!r}; it must be shape-operator or edges")
+    group, first = weld(p)
+    welded, triangles, outward = p[first], group[f], _group_normals(n, group, first.size)
+    xx, _, yy = _fit(welded, triangles, outward)
+    mean = _smoothed(0.5 * (xx + yy)[:, None], welded, triangles, smoothing)[:, 0]
+    return mean[group]
+
+
+def mesh_curvature_tensor(
+    positions: ArrayLike,
+    faces: ArrayLike,
+    normals: ArrayLike | None = None,
+    *,
+    smoothing: int = 2,
+) -> FloatArray:
+    """Return the shape operator of each vertex, three numbers in its tangent plane.
+
+    Parameters
+    ----------
+    positions, faces, normals, smoothing
+        As in `mesh_curvature`.
+
+    Returns
+    -------
+    (V, 3)
+        k_uu, k_uv, k_vv in the frame that `skinshade.mesh.normals.tangent_frame` gives for the
+        vertex's normal; 1 per unit of `positions`, positive where convex. `tensor_to_world` turns
+        them into what can be interpolated.
+    """
+    p, f, n = _checked(positions, faces, normals)
+    group, first = weld(p)
+    outward = _group_normals(n, group, first.size)
+    welded, triangles = p[first], group[f]
+    world = _to_world(np.stack(_fit(welded, triangles, outward), axis=1), outward)
+    world = _smoothed(world, welded, triangles, smoothing)[group]
+    u, v = tangent_frame(n)
+    su, sv = apply_symmetric(world, u), apply_symmetric(world, v)
+    return np.stack([dot(su, u), dot(su, v), dot(sv, v)], axis=1)
+
+
+def tensor_to_world(tensor: FloatArray, normals: FloatArray) -> FloatArray:
+    """Return (..., 6) xx, xy, xz, yy, yz, zz of tensors (..., 3) at unit normals (..., 3)."""
+    return _to_world(tensor, normals)
+
+
+def apply_symmetric(world: FloatArray, vectors: FloatArray) -> FloatArray:
+    """Return the tensors (..., 6) times vectors (..., 3)."""
+    x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
+    rows = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
+    return np.stack(
+        [world[..., a] * x + world[..., b] * y + world[..., c] * z for a, b, c in rows], axis=-1
+    )
+
+
+def _checked(
+    positions: ArrayLike, faces: ArrayLike, normals: ArrayLike | None
+) -> tuple[FloatArray, IntArray, FloatArray]:
+    p = as_floats("positions", positions, (None, 3))
+    if p.shape[0] == 0:
+        raise ArgumentError("positions: there are no vertices")
+    f = as_faces("faces", faces, p.shape[0])
+    if f.shape[0] == 0:
+        raise ArgumentError("faces: there are none")
+    if normals is None:
+        return p, f, vertex_normals(p, f)
+    return p, f, unit_vectors(as_floats("normals", normals, p.shape))
+
+
+def _group_normals(normals: FloatArray, group: IntArray, count: int) -> FloatArray:
+    if count == normals.shape[0]:
+        welded = np.empty_like(normals)
+        welded[group] = normals
+        return welded
+    sums = [np.bincount(group, normals[:, axis], count) for axis in range(3)]
+    return unit_vectors(np.stack(sums, axis=1))
+
+
+def _fit(
+    p: FloatArray, faces: IntArray, normals: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
+    count = p.shape[0]
+    one, other = edges(faces, count)
+    step, turn = p[other] - p[one], normals[other] - normals[one]
+    weight = 1.0 / dot(step, step)
+    frame = tangent_frame(normals)
+    sums = np.zeros((6, count))
+    for at in (one, other):  # from its other end, both step and turn change sign: nothing changes
+        u, v = frame[0][at], frame[1][at]
+        x, y, nx, ny = dot(step, u), dot(step, v), dot(turn, u), dot(turn, v)
+        for row, term in enumerate((x * x, x * y, y * y, x * nx, x * ny + y * nx, y * ny)):
+            sums[row] += np.bincount(at, weight * term, count)
+    xx, xy, yy, a, b, c = sums
+    # [[xx, xy, 0], [xy, xx+yy, xy], [0, xy, yy]] · (k_uu, k_uv, k_vv) = (a, b, c), by Cramer's rule
+    total = xx + yy
+    ridge = FIT_RIDGE * total + np.finfo(np.float64).tiny
+    xx, yy, middle = xx + ridge, yy + ridge, total + ridge
+    determinant = xx * middle * yy - xy * xy * (xx + yy)
+    k_uu = (a * (middle * yy - xy * xy) - xy * (b * yy - xy * c)) / determinant
+    k_uv = (xx * (b * yy - xy * c) - xy * a * yy) / determinant
+    k_vv = (c * (xx * middle - xy * xy) - xy * (xx * b - xy * a)) / determinant
+    return k_uu, k_uv, k_vv
+
+
+def _to_world(tensor: FloatArray, normals: FloatArray) -> FloatArray:
+    u, v = tangent_frame(normals)
+    k_uu, k_uv, k_vv = tensor[..., 0], tensor[..., 1], tensor[..., 2]
+    su = k_uu[..., None] * u + k_uv[..., None] * v
+    sv = k_uv[..., None] * u + k_vv[..., None] * v
+    return np.stack([su[..., i] * u[..., j] + sv[..., i] * v[..., j] for i, j in SYMMETRIC], axis=-1)
+
+
+def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -> FloatArray:
+    if passes == 0:
+        return values
+    area = corner_areas(p, faces, p.shape[0])
+    at = faces.ravel()
+    uses = np.bincount(at, minlength=p.shape[0])
+    share = area[faces] / area[faces].sum(axis=1, keepdims=True)
+    result = values.copy()
+    for _ in range(passes):
+        for column in range(values.shape[1]):
+            mean = (share * result[:, column][faces]).sum(axis=1)
+            result[:, column] = np.bincount(at, np.repeat(mean, 3), p.shape[0]) / uses
+    return result
+
+
+def _edge_curvature(
+    p: FloatArray, faces: IntArray, normals: FloatArray, passes: int
+) -> FloatArray:
+    """Mean of the least and greatest |ΔN|/|ΔP| over the edges of a vertex; seams stay split."""
+    count = p.shape[0]
+    one, other = edges(faces, count)
+    step, turn = p[other] - p[one], normals[other] - normals[one]
+    length = np.sqrt(dot(step, step))
+    real = length > 0.0
+    one, other = one[real], other[real]
+    ratio = np.sqrt(dot(turn, turn))[real] / length[real]
+    least, greatest = np.full(count, np.inf), np.zeros(count)
+    for at in (one, other):
+        np.minimum.at(least, at, ratio)
+        np.maximum.at(greatest, at, ratio)
+    result = np.where(np.isfinite(least), 0.5 * (least + greatest), 0.0)
+    at = faces.ravel()
+    uses = np.maximum(2 * np.bincount(at, minlength=count), 1)
+    for _ in range(passes):
+        around = result[faces].sum(axis=1, keepdims=True) - result[faces]
+        result = np.bincount(at, around.ravel(), count) / uses
+    return result

@@ -1,0 +1,144 @@
+"""Meshes from files, through trimesh: glTF, OBJ, PLY, STL."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._core.arrays import FloatArray
+from .._core.errors import MeshFileError, SkinshadeError, UnitError, UnitWarning
+from .._core.files import existing_file
+from .._core.units import checked_unit_mm
+from .model import Mesh
+
+__all__ = ["load_mesh"]
+
+SUFFIXES = (".glb", ".gltf", ".obj", ".ply", ".stl")
+GLTF_UNIT_MM = 1000.0
+"""glTF 2.0 prescribes metres."""
+PLAUSIBLE_MM = (20.0, 3000.0)
+"""Diagonals between a fingertip and a tall person's; outside it metres are rarely what was meant."""
+
+
+def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> Mesh:
+    """Read a mesh, all its parts as one, placed as the file's scene places them.
+
+    Parameters
+    ----------
+    path
+        ``.glb``, ``.gltf``, ``.obj``, ``.ply`` or ``.stl``.
+    unit_mm
+        Length of one unit of the file, mm. Only glTF states one (metres); any other file needs it.
+
+    Returns
+    -------
+    Mesh
+        UVs with v down, as in glTF, whatever the file's own convention.
+
+    Raises
+    ------
+    MeshFileError, MeshError, UnitError
+        If the file is missing, corrupt or of another kind, holds no usable triangle, or its unit is
+        unknown.
+
+    Warns
+    -----
+    UnitWarning
+        If glTF's metres make the object smaller than a fingertip or larger than a person.
+    """
+    file = existing_file(path, MeshFileError)
+    suffix = file.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise MeshFileError(f"{file}: {suffix or 'no suffix'}; a mesh is one of {' '.join(SUFFIXES)}")
+    stated = suffix in (".glb", ".gltf")
+    if unit_mm is None and not stated:
+        raise UnitError(
+            f"{file}: {suffix} files do not say their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
+        )
+    unit = GLTF_UNIT_MM if unit_mm is None else checked_unit_mm(unit_mm, str(file))
+    try:
+        mesh = Mesh.checked(**_joined(_parts(file), file), unit_mm=unit, name=str(file))
+    except SkinshadeError as error:
+        raise type(error)(str(error)) from None
+    if unit_mm is None:
+        _warn_of_size(mesh, file)
+    return mesh
+
+
+def _warn_of_size(mesh: Mesh, file: Path) -> None:
+    diagonal = float(np.linalg.norm(np.ptp(mesh.positions_mm, axis=0)))
+    if not PLAUSIBLE_MM[0] <= diagonal <= PLAUSIBLE_MM[1]:
+        warnings.warn(
+            f"{file}: in metres, as glTF prescribes, it is {diagonal / 1000.0:.3g} m across; "
+            "give unit_mm if another unit was meant",
+            UnitWarning,
+            stacklevel=3,
+        )
+
+
+def _parts(file: Path) -> list[dict[str, Any]]:
+    import trimesh  # a third of a second to import
+
+    try:
+        scene = trimesh.load_scene(
+            file, process=False, maintain_order=True, **({"skip_materials": True} if file.suffix.lower() == ".obj" else {})
+        )
+        parts = []
+        for node in scene.graph.nodes_geometry:
+            matrix, name = scene.graph[node]
+            geometry = scene.geometry[name]
+            if isinstance(geometry, trimesh.Trimesh):
+                parts.append(_part(geometry, np.asarray(matrix, dtype=np.float64)))
+    except Exception as error:  # noqa: BLE001 — its readers raise whatever a corrupt byte leads to
+        raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r}") from None
+    if not parts:
+        raise MeshFileError(f"{file}: holds no triangles")
+    return parts
+
+
+def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:
+    linear = matrix[:3, :3]
+    positions = np.asarray(geometry.vertices, dtype=np.float64)
+    faces = np.asarray(geometry.faces, dtype=np.int64)
+    # trimesh computes normals on request; only those that came with the file are in its cache.
+    given = geometry._cache.cache.get("vertex_normals")
+    normals = None if given is None else np.asarray(given, dtype=np.float64)
+    if not np.array_equal(matrix, np.eye(4)):
+        positions = positions @ linear.T + matrix[:3, 3]
+        if normals is not None:
+            normals = normals @ np.linalg.inv(linear)
+        if np.linalg.det(linear) < 0.0:
+            faces = faces[:, ::-1]
+    uv = getattr(geometry.visual, "uv", None)
+    uvs = None if uv is None else np.asarray(uv, dtype=np.float64)[:, :2] * (1.0, -1.0) + (0.0, 1.0)
+    attributes = {
+        key: np.asarray(value, dtype=np.float64)
+        for key, value in geometry.vertex_attributes.items()
+        if np.asarray(value).dtype.kind in "fiu" and np.asarray(value).ndim in (1, 2)
+    }
+    return {"positions": positions, "faces": faces, "normals": normals, "uvs": uvs, "attributes": attributes}
+
+
+def _joined(parts: list[dict[str, Any]], file: Path) -> dict[str, Any]:
+    """One mesh of all parts; what not every part has is left out."""
+    if len(parts) == 1:
+        return parts[0]
+    offsets = np.cumsum([0] + [part["positions"].shape[0] for part in parts])
+    joined: dict[str, Any] = {
+        "positions": np.concatenate([part["positions"] for part in parts]),
+        "faces": np.concatenate(
+            [part["faces"] + offset for part, offset in zip(parts, offsets[:-1], strict=True)]
+        ),
+    }
+    for key in ("normals", "uvs"):
+        if all(part[key] is not None for part in parts):
+            joined[key] = np.concatenate([part[key] for part in parts])
+    shared = set.intersection(*(set(part["attributes"]) for part in parts))
+    joined["attributes"] = {
+        key: np.concatenate([part["attributes"][key] for part in parts]) for key in sorted(shared)
+    }
+    return joined

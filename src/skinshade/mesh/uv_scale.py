@@ -1,0 +1,46 @@
+"""The length that one unit of UV spans on a mesh (MODEL §8), summed in float64."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._core.arrays import as_faces, as_floats, dot
+from .._core.errors import MeshError
+
+__all__ = ["mesh_uv_scale"]
+
+
+def mesh_uv_scale(positions: ArrayLike, uvs: ArrayLike, faces: ArrayLike) -> float:
+    """Return the geometric mean over triangles of longest edge over longest UV edge.
+
+    Parameters
+    ----------
+    positions, uvs, faces
+        (V, 3), (V, 2) and (F, 3); triangles without extent in space or in UV do not count.
+
+    Returns
+    -------
+    float
+        In the unit of `positions`.
+
+    Raises
+    ------
+    ArgumentError, MeshError
+        If an array is malformed, or no triangle has an extent in both.
+    """
+    p = as_floats("positions", positions, (None, 3))
+    t = as_floats("uvs", uvs, (p.shape[0], 2))
+    f = as_faces("faces", faces, p.shape[0])
+    in_space, in_uv = _longest_edge2(p[f]), _longest_edge2(t[f])
+    real = (in_space > 0.0) & (in_uv > 0.0)
+    if not real.any():
+        raise MeshError("uvs: no triangle spans an area of the texture; unwrap the mesh first")
+    return float(np.exp(0.5 * np.mean(np.log(in_space[real]) - np.log(in_uv[real]))))
+
+
+def _longest_edge2(corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> np.ndarray[
+    tuple[int, ...], np.dtype[np.float64]
+]:
+    step = corners - corners[:, [1, 2, 0]]
+    return dot(step, step).max(axis=1, initial=0.0)

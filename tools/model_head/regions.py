@@ -1,0 +1,50 @@
+"""Where the head is lip, brow, thin cartilage or well supplied with blood."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .ear import to_ear
+from .face import lip_curves_mm
+from .fields import Array, along, ramp, spline
+from .head import head, unevenness
+from .mesh import evaluate
+
+_BROW = [(11.5, 17.5, 95, 4.6), (20, 20.6, 92, 4.8), (30, 23.4, 89, 4.4), (39, 24.6, 84, 3.4),
+         (47, 22.2, 77, 2.2), (53, 18.4, 68, 0.9)]
+
+
+def thickness_mm(p: Array, normals: Array, limit_mm: float = 12.0) -> Array:
+    """Depth of flesh behind each point along its inward normal, at most ``limit_mm``."""
+    depth = np.full(len(p), limit_mm)
+    for step in np.arange(0.6, limit_mm, 0.4)[::-1]:
+        outside = evaluate(head, p - normals * step) > 0.0
+        depth = np.where(outside, step, depth)
+    return depth
+
+
+def regions(p: Array, normals: Array) -> Array:
+    """Weights ``(N, 4)`` in 0..1: lips, brow, thin cartilage, redness."""
+    q = p - unevenness(p)
+    x, y, z = np.abs(q[:, 0]), q[:, 1], q[:, 2]
+    upper, _, lower = lip_curves_mm(x)
+    lips = ramp(upper - y, -0.9, 0.7) * ramp(y - lower, -0.9, 0.7) * ramp(x, 26.0, 23.5)
+    lips = lips * ramp(z, 70.0, 76.0)
+    curve = spline(_BROW, 32)
+    folded = np.stack([x, y, z], axis=1)
+    gap, at = along(folded, curve[:, :3])
+    half = np.interp(at, np.linspace(0, 1, len(curve)), curve[:, 3])
+    brow = ramp(gap / np.maximum(half, 0.5), 1.25, 0.6) * ramp(z, 50.0, 60.0)
+    thin = ramp(thickness_mm(p, normals), 9.0, 4.0)
+    place = np.stack([x, y, z], axis=1)
+
+    def spot(centre: tuple[float, float, float], size: tuple[float, float, float]) -> Array:
+        return np.asarray(np.exp(-0.5 * np.sum(((place - centre) / size) ** 2, axis=1)))
+
+    e = to_ear(q)
+    ear = ramp(e[:, 0], -6.0, 4.0) * ramp(np.abs(e[:, 1]), 38.0, 30.0) * ramp(e[:, 2], -14.0, -4.0)
+    ear = ear * ramp(x, 66.0, 74.0)
+    red = 0.75 * spot((46, -24, 66), (16, 13, 22)) + 0.9 * spot((0, -38, 108), (16, 9, 14))
+    red = red + 0.5 * spot((18, -42, 94), (5, 7, 8)) + 0.75 * ear + 0.3 * spot((0, -100, 92), (16, 9, 12))
+    red = red + 0.35 * spot((32, 4, 76), (15, 8, 10))
+    return np.clip(np.stack([lips, brow, thin, red], axis=1), 0.0, 1.0)
