@@ -85,8 +85,10 @@ class Lut:
     provenance: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        if self.values.ndim != 3 or self.values.shape[2] != 3 or 0 in self.values.shape:
-            raise ArgumentError(f"values: shape is {self.values.shape}; it must be (H, W, 3)")
+        if self.values.ndim != 3 or self.values.shape[2] != 3 or min(self.values.shape) < 2:
+            raise ArgumentError(
+                f"values: shape is {self.values.shape}; it must be (H, W, 3), H and W 2 at least"
+            )
         if not np.isfinite(self.values).all():
             raise ArgumentError("values: a table must be finite")
         if self.kind not in get_args(LutKind):
@@ -116,17 +118,25 @@ class Lut:
         return self.sample_at(u, v)
 
     def sample_at(self, u: FloatArray, v: FloatArray) -> FloatArray:
-        """Look values up at texture coordinates 0..1; broadcasts; no check."""
+        """Look all channels up at texture coordinates 0..1 (...); no check."""
+        return self._bilinear(u[..., None], v[..., None])
+
+    def sample_channels(self, u: FloatArray, v: FloatArray) -> FloatArray:
+        """Look each channel up in a column of its own: u (..., 3), v (...), in 0..1; no check."""
+        return self._bilinear(u, v[..., None])
+
+    def _bilinear(self, u: FloatArray, v: FloatArray) -> FloatArray:
         height, width, _ = self.values.shape
         x = np.clip(u * width - 0.5, 0.0, width - 1.0)
         y = np.clip(v * height - 0.5, 0.0, height - 1.0)
-        x0 = np.minimum(x.astype(np.int64), max(width - 2, 0))
-        y0 = np.minimum(y.astype(np.int64), max(height - 2, 0))
-        fx, fy = (x - x0)[..., None], (y - y0)[..., None]
-        x1, y1 = np.minimum(x0 + 1, width - 1), np.minimum(y0 + 1, height - 1)
-        t = self.values
-        top = t[y0, x0] * (1.0 - fx) + t[y0, x1] * fx
-        bottom = t[y1, x0] * (1.0 - fx) + t[y1, x1] * fx
+        x0 = np.minimum(x.astype(np.int64), width - 2)
+        y0 = np.minimum(y.astype(np.int64), height - 2)
+        fx, fy = x - x0, y - y0
+        at = (y0 * width + x0) * 3 + np.arange(3)
+        t = self.values.ravel()
+        top = t[at] * (1.0 - fx) + t[at + 3] * fx
+        at += 3 * width
+        bottom = t[at] * (1.0 - fx) + t[at + 3] * fx
         result: FloatArray = top * (1.0 - fy) + bottom * fy
         return result
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot, unit_vectors
 from .._core.errors import ArgumentError
 from .normals import tangent_frame, vertex_normals
-from .topology import corner_areas, edges, weld
+from .topology import corner_areas, half_edges, weld
 
 __all__ = ["CurvatureMethod", "mesh_curvature", "mesh_curvature_tensor", "tensor_to_world"]
 
@@ -148,9 +148,9 @@ def _fit(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
     count = p.shape[0]
-    one, other = edges(faces, count)
+    one, other = half_edges(faces)
     step, turn = p[other] - p[one], normals[other] - normals[one]
-    weight = 1.0 / dot(step, step)
+    weight = 1.0 / np.maximum(dot(step, step), np.finfo(np.float64).tiny)
     frame = tangent_frame(normals)
     sums = np.zeros((6, count))
     for at in (one, other):  # from its other end, both step and turn change sign: nothing changes
@@ -198,7 +198,7 @@ def _edge_curvature(
 ) -> FloatArray:
     """Mean of the least and greatest |ΔN|/|ΔP| over the edges of a vertex; seams stay split."""
     count = p.shape[0]
-    one, other = edges(faces, count)
+    one, other = half_edges(faces)
     step, turn = p[other] - p[one], normals[other] - normals[one]
     length = np.sqrt(dot(step, step))
     real = length > 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._core.arrays import FloatArray, IntArray, dot, unit_vectors
-from .topology import edges, weld
+from .topology import half_edges, weld
 
 __all__ = ["tangent_frame", "vertex_normals", "vertex_tangents"]
 
@@ -81,7 +81,7 @@ def _mean_normals(p: FloatArray, f: IntArray) -> FloatArray:
 
 def _quadric_normals(p: FloatArray, f: IntArray, normals: FloatArray) -> FloatArray:
     count = p.shape[0]
-    one, other = edges(f, count)
+    one, other = half_edges(f)
     i, j = np.concatenate([one, other]), np.concatenate([other, one])
     d = p[j] - p[i]
     d /= np.sqrt(np.bincount(i, dot(d, d), count) / np.maximum(np.bincount(i, minlength=count), 1))[
@@ -90,7 +90,7 @@ def _quadric_normals(p: FloatArray, f: IntArray, normals: FloatArray) -> FloatAr
     u, v = tangent_frame(normals)
     x, y, z = dot(d, u[i]), dot(d, v[i]), dot(d, normals[i])
     terms = (x, y, x * x, x * y, y * y)
-    weight = 1.0 / dot(d, d)
+    weight = 1.0 / np.maximum(dot(d, d), 1e-30)
     matrix = np.zeros((count, 5, 5))
     right = np.zeros((count, 5, 1))
     for row, term in enumerate(terms):

@@ -83,10 +83,13 @@ def _warn_of_size(mesh: Mesh, file: Path) -> None:
 def _parts(file: Path) -> list[dict[str, Any]]:
     import trimesh  # a third of a second to import
 
+    options: dict[str, Any] = {"process": False, "maintain_order": True}
+    if file.suffix.lower() == ".obj":
+        options["skip_materials"] = True
     try:
-        scene = trimesh.load_scene(
-            file, process=False, maintain_order=True, **({"skip_materials": True} if file.suffix.lower() == ".obj" else {})
-        )
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of its own arithmetic on files without materials
+            scene = trimesh.load_scene(file, **options)
         parts = []
         for node in scene.graph.nodes_geometry:
             matrix, name = scene.graph[node]

@@ -6,7 +6,7 @@ import numpy as np
 
 from .._core.arrays import FloatArray, IntArray, dot
 
-__all__ = ["corner_areas", "edges", "face_areas", "open_edge_counts", "weld"]
+__all__ = ["corner_areas", "face_areas", "half_edges", "open_edge_counts", "weld"]
 
 
 def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
@@ -26,14 +26,9 @@ def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
     return group.astype(np.int64).ravel(), first.astype(np.int64)
 
 
-def edges(faces: IntArray, vertex_count: int) -> tuple[IntArray, IntArray]:
-    """Return both ends (E,), (E,) of every undirected edge, once, none from a vertex to itself."""
-    start, end = faces.ravel(), faces[:, [1, 2, 0]].ravel()
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    keys = np.unique(low * vertex_count + high)
-    a, b = np.divmod(keys, vertex_count)
-    real = a != b
-    return a[real], b[real]
+def half_edges(faces: IntArray) -> tuple[IntArray, IntArray]:
+    """Return both ends (3F,), (3F,) of every side of every face: an inner edge once each way."""
+    return faces.ravel(), faces[:, [1, 2, 0]].ravel()
 
 
 def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
@@ -53,14 +48,15 @@ def open_edge_counts(positions: FloatArray, faces: IntArray) -> dict[str, int]:
     """Count open and non-manifold edges and those whose faces disagree on winding, after welding."""
     group, _ = weld(positions)
     welded = group[faces]
-    start, end = welded.ravel(), welded[:, [1, 2, 0]].ravel()
+    start, end = half_edges(welded)
     low, high = np.minimum(start, end), np.maximum(start, end)
-    _, which, count = np.unique(
-        low * positions.shape[0] + high, return_inverse=True, return_counts=True
-    )
-    forward = np.bincount(which.ravel(), (start < end).astype(np.float64), count.size)
+    keys = low * positions.shape[0] + high
+    order = np.argsort(keys)
+    starts = np.flatnonzero(np.diff(keys[order], prepend=-1))
+    count = np.diff(starts, append=keys.size)
+    forward = np.add.reduceat((start < end)[order].astype(np.int64), starts)
     return {
         "open edges": int((count == 1).sum()),
         "non-manifold edges": int((count > 2).sum()),
-        "edges of opposite winding": int(((count == 2) & (forward != 1.0)).sum()),
+        "edges of opposite winding": int(((count == 2) & (forward != 1)).sum()),
     }

@@ -1,0 +1,65 @@
+"""Periodic noise volumes that the built-in head's maps are read from.
+
+Everything is evaluated at positions in space, so that a pattern runs on across the seams of a
+texture.  Volumes are small and repeat; slices through them along a curved skin do not look periodic.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter, map_coordinates
+from scipy.spatial import cKDTree
+
+Float32 = NDArray[np.float32]
+
+
+def smooth_volume(rng: np.random.Generator, cells: int = 48) -> Float32:
+    """Band-limited Gaussian noise ``(2c, 2c, 2c)``, mean 0, standard deviation 1, periodic.
+
+    A feature is about four samples across.
+    """
+    field = gaussian_filter(
+        rng.standard_normal((cells, cells, cells), dtype=np.float32), 1.1, mode="wrap"
+    )
+    field -= field.mean()
+    return np.asarray(field / field.std(), dtype=np.float32)
+
+
+def sample_smooth(volume: Float32, points_mm: Float32, feature_mm: float) -> Float32:
+    """Read a smooth volume at ``points_mm`` ``(N, 3)``; lumps are ``feature_mm`` across."""
+    at = (points_mm * np.float32(4.0 / feature_mm)).T
+    return np.asarray(
+        map_coordinates(volume, at, output=np.float32, order=1, mode="grid-wrap"), dtype=np.float32
+    )
+
+
+def cellular_volume(
+    rng: np.random.Generator, samples: int = 112, across: int = 10
+) -> tuple[Float32, Float32]:
+    """Distances to the first and the gap to the second of scattered points, periodic.
+
+    Two flat arrays of ``samples**3``; the unit is the mean spacing of the points, of which there
+    are ``across**3``, one in every cell of a jittered lattice.
+    """
+    lattice = np.stack(np.meshgrid(*[np.arange(across)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    seeds = (lattice + rng.uniform(0.08, 0.92, lattice.shape)) % across
+    tree = cKDTree(seeds, boxsize=float(across))
+    axis = (np.arange(samples) + 0.5) * (across / samples)
+    grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
+    near, _ = tree.query(grid, k=2, eps=0.0)
+    return near[:, 0].astype(np.float32), (near[:, 1] - near[:, 0]).astype(np.float32)
+
+
+def sample_cells(
+    points_mm: Float32, spacing_mm: float, samples: int, across: int
+) -> NDArray[np.int32]:
+    """Flat indices ``(N,)`` into a cellular volume scaled to a point spacing of ``spacing_mm``."""
+    step = np.float32(samples / across / spacing_mm)
+    # an irrational turn keeps the lattice off the axes of the head
+    turn = np.array(
+        [[0.684, -0.518, 0.514], [0.730, 0.484, -0.483], [0.002, 0.705, 0.709]], dtype=np.float32
+    )
+    at = np.floor(points_mm @ (turn * step)).astype(np.int32)
+    at %= samples
+    return np.asarray((at[:, 0] * samples + at[:, 1]) * samples + at[:, 2], dtype=np.int32)
