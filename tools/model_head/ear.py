@@ -13,10 +13,12 @@ from .fields import (
     Array,
     along,
     bump,
+    ellipsoid,
     polygon,
     ramp,
     round_cone,
     smooth_intersection,
+    smooth_subtraction,
     smooth_union,
     spline,
     sweep,
@@ -33,14 +35,14 @@ _OUTLINE = [
     (-4, -13),
 ]
 _RIM = [
-    (6.5, -3.0, -3.5), (3.0, 3.5, -0.5), (0.5, 12, 2.2), (2.3, 21, 2.8), (8.5, 27, 2.8),
+    (9.0, -3.5, -6.0), (4.0, 2.5, -1.8), (0.8, 11, 1.8), (2.3, 21, 2.8), (8.5, 27, 2.8),
     (18.0, 26.6, 2.6), (25.6, 20.6, 2.6), (28.6, 11.5, 2.6), (28.0, 1.5, 2.4), (24.5, -8, 2.2),
     (19.0, -16.5, 1.6), (14.5, -22.5, 1.0),
 ]
-_RIM_RADIUS = [0.9, 1.6, 2.1, 2.3, 2.4, 2.4, 2.4, 2.3, 2.2, 2.0, 1.6, 1.0]
-_ANTIHELIX = [(9.5, -16.5), (14.5, -12.5), (18.6, -6), (20, 2), (18.5, 9.5), (15.5, 16), (13.5, 21)]
-_LOWER_CRUS = [(19.2, 6.5), (14.5, 11.0), (9.0, 12.5), (4.5, 12.5)]
-_CONCHA = [(5.0, -8.5), (9.0, -6.5), (12.5, -1.0), (11.5, 5.0)]
+_RIM_RADIUS = [0.8, 1.4, 2.0, 2.3, 2.4, 2.4, 2.4, 2.3, 2.2, 2.0, 1.6, 1.0]
+_ANTIHELIX = [(10, -17.5), (15.5, -14), (20.2, -7), (21.2, 1.5), (19.5, 9.5), (16, 16.5), (13, 22)]
+_LOWER_CRUS = [(20.0, 6.5), (15.5, 11.2), (10.0, 13.2), (5.0, 13.4)]
+_CONCHA = [(4.5, -9.5), (9.0, -8.5), (12.3, -3.0), (12.3, 2.5), (8.5, 6.5)]
 
 
 def frame() -> Array:
@@ -68,10 +70,10 @@ def _height_mm(uv: Array) -> Array:
     crus, _ = along(uv, np.asarray(_LOWER_CRUS, dtype=np.float64))
     bowl, _ = along(uv, np.asarray(_CONCHA, dtype=np.float64))
     m = 0.055 * np.maximum(u - 8.0, 0.0) - 0.0025 * np.maximum(u - 8.0, 0.0) ** 2
-    m += 4.2 * bump(anti, 3.0) * (0.75 + 0.25 * np.cos(2.0 * (at - 0.35)))
-    m += 2.3 * bump(crus, 2.2) * ramp(u, 3.0, 8.0)
-    m -= 9.5 * ramp(bowl, 9.8, 3.5) * ramp(anti, 0.0, 5.5)
-    m -= 3.4 * bump(np.hypot(u - 10.0, (v - 18.5) * 1.25), 3.6)  # triangular hollow
+    m += 3.4 * bump(anti, 3.2) * (0.75 + 0.25 * np.cos(2.0 * (at - 0.35)))
+    m += 2.0 * bump(crus, 2.4) * ramp(u, 3.0, 8.0)
+    m -= 10.0 * ramp(bowl, 10.2, 1.5) * ramp(anti, 0.0, 6.5)
+    m -= 2.8 * bump(np.hypot(u - 10.0, (v - 18.5) * 1.25), 3.6)  # triangular hollow
     m -= 1.2 * ramp(v, -19.0, -28.0)
     return np.asarray(m)
 
@@ -108,5 +110,9 @@ def add_ears(f: Array, p: Array) -> Array:
     near = within(p * [0, 1, 1] + np.abs(p) * [1, 0, 0], (52, -50, -55), (112, 42, 25))
     out = f.copy()
     q = p[near]
-    out[near] = smooth_union(f[near], ear(q), 3.5)
+    e = to_ear(q)
+    bowl = ellipsoid(e, (8.0, -3.0, -0.5), (8.6, 12.5, 8.2))
+    canal = round_cone(e, (3.5, -5.5, -5.0), (-3.0, -4.0, -17.0), 3.6, 2.4)
+    hollow = smooth_union(bowl, canal, 3.0)
+    out[near] = smooth_union(smooth_subtraction(f[near], hollow, 2.5), ear(q), 3.0)
     return out

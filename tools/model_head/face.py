@@ -6,6 +6,7 @@ import numpy as np
 
 from .fields import (
     Array,
+    along,
     bump,
     ellipsoid,
     ramp,
@@ -46,15 +47,15 @@ def relief_mm(p: Array) -> Array:
     h = 1.3 * spot(20, 22, 11, 4.5, 12)  # superciliary arch
     h += 1.0 * spot(47, 17, 7, 5, -35)  # outer orbital rim
     h -= 0.7 * spot(0, 15, 4, 4) * 0.5
-    h += 1.4 * spot(48, -18, 10, 7, -25)  # cheekbone
+    h += 2.0 * spot(49, -18, 11, 7.5, -25)  # cheekbone
     h -= 0.9 * spot(24, -15, 9, 3.0, -22)  # tear trough
     h += 0.9 * spot(30, -9, 10, 3.5, 0)  # lower lid pad
     h += 1.3 * spot(29, -36, 8, 9, 0)  # cheek pad beside the nose
     h -= 1.5 * spot(29.5, -54, 3.6, 11, -28)  # nasolabial fold
     h += 0.8 * spot(36, -57, 6, 9, -25)
     h -= 0.9 * spot(31, -76, 3.5, 6, -10)  # beside the mouth corner
-    h -= 1.0 * spot(47, -52, 9, 12, -20)  # hollow under the cheekbone
-    h += 1.4 * spot(9, -101, 7.5, 7) * 0.9  # chin
+    h -= 1.5 * spot(47, -52, 9, 13, -20)  # hollow under the cheekbone
+    h += 0.9 * spot(8, -101, 8.5, 7)  # chin
     h -= 1.1 * spot(0, -86.5, 11, 3.0) * 0.5  # mentolabial sulcus
     h -= 0.7 * spot(22, -92, 6, 7, 30)
     h += 1.2 * spot(24, 62, 14, 11) * 0.6  # frontal eminence
@@ -70,10 +71,10 @@ def _nose_core(p: Array) -> Array:
         [5.0, 4.2, 4.8, 5.6, 6.2],
     )
     out = smooth_union(body, ridge, 7.0)
-    tip = sphere(s, (2.6, -36.0, 106.6), 7.6)
-    out = smooth_union(out, tip, 6.0)
-    ala = ellipsoid(s, (11.2, -40.8, 96.5), (6.6, 6.6, 9.8), rotation(12, -16, -6))
-    out = smooth_union(out, ala, 3.5)
+    tip = ellipsoid(s, (2.6, -36.2, 105.6), (8.2, 7.6, 8.6))
+    out = smooth_union(out, tip, 8.0)
+    ala = ellipsoid(s, (11.0, -40.6, 97.2), (6.8, 6.8, 10.4), rotation(12, -18, -6))
+    out = smooth_union(out, ala, 5.0)
     lobule = round_cone(p, (0, -43.0, 107.0), (0, -46.5, 97.0), 3.4, 3.4)
     return smooth_union(out, lobule, 3.0)
 
@@ -97,11 +98,14 @@ def add_nose(f: Array, p: Array) -> Array:
     groove = sweep(
         s,
         [(14.5, -33, 99), (18.4, -37.5, 94.5), (19.3, -43, 90.5), (16.5, -47.5, 91.5)],
-        [0.3, 1.1, 1.3, 0.6],
+        [0.1, 0.7, 1.0, 0.4],
     )
-    g = smooth_subtraction(g, groove, 3.4)
-    facet = sweep(s, [(8.5, -30.5, 107.5), (11.5, -36, 106), (12.6, -42, 104.5)], [0.3, 0.5, 0.3])
-    g = smooth_subtraction(g, facet, 4.0)
+    g = smooth_subtraction(g, groove, 4.0)
+    crease = spline(
+        [(7.5, -28.5, 107), (11.2, -33, 105.5), (13, -38.5, 103.5), (12.4, -44, 103)], 20
+    )
+    gap, at = along(s, crease)
+    g = g + 0.95 * bump(gap, 2.0) * np.sin(np.pi * np.clip(at, 0.0, 1.0)) ** 0.7
     g = smooth_subtraction(g, _nostrils(q), 1.6)
     out = f.copy()
     out[near] = g
@@ -117,7 +121,7 @@ def lash_height_mm(x: Array) -> Array:
 def fold_height_mm(x: Array) -> Array:
     """Height ``y`` of the fold of the upper lid."""
     t = (x - PUPIL_X_MM) / 16.0
-    return np.asarray(9.0 - 6.2 * t**2 + 0.4 * t)
+    return np.asarray(7.2 - 5.0 * t**2 + 0.2 * t)
 
 
 def add_eyes(f: Array, p: Array) -> Array:
@@ -127,19 +131,19 @@ def add_eyes(f: Array, p: Array) -> Array:
     s = _both(q)
     x, y = s[:, 0], s[:, 1]
     g = f[near]
-    ball = ellipsoid(s, (PUPIL_X_MM - 0.3, -0.8, 64.6), (15.2, 13.4, 13.8), rotation(0, 14, 0))
-    g = smooth_union(g, ball, 5.0)
+    ball = ellipsoid(s, (PUPIL_X_MM - 0.3, -0.8, 64.6), (15.4, 13.6, 13.4), rotation(0, 14, 0))
+    g = smooth_union(g, ball, 7.0)
     t = (x - PUPIL_X_MM) / 15.2
     along_line = ramp(np.abs(t), 1.12, 0.85)
     d = y - lash_height_mm(x)
     upper = np.where(d > 0.0, np.exp(-np.maximum(d, 0.0) / 3.2), 0.0)
-    step = ramp(d, -0.35, 0.35) * upper * 0.95
-    crease = bump(d + 0.35, 0.55) * 1.15
+    step = ramp(d, -0.4, 0.4) * upper * 0.85
+    crease = bump(d + 0.4, 0.65) * 0.75
     lower = bump(d + 3.0, 1.5) * 0.35
     h = (step - crease + lower) * along_line
     fold = y - fold_height_mm(x)
     fold_on = ramp(np.abs((x - PUPIL_X_MM) / 16.0), 1.12, 0.75)
-    h += (-0.95 * bump(fold, 0.85) + 0.55 * bump(fold - 2.4, 1.6)) * fold_on
+    h += (-0.8 * bump(fold, 0.9) + 0.7 * bump(fold - 2.6, 1.9)) * fold_on
     under = y - (-13.0 + 4.2 * ((x - 29.0) / 15.0) ** 2)
     h -= 0.45 * bump(under, 1.2) * ramp(np.abs((x - 27.0) / 15.0), 1.1, 0.5)
     h -= 0.8 * bump(np.hypot(x - 15.6, (y + 3.2) * 1.2), 1.6)  # inner corner
@@ -153,10 +157,10 @@ def lip_curves_mm(x: Array) -> tuple[Array, Array, Array]:
     """Heights of the upper border, the mouth line and the lower border at ``|x|``."""
     t = np.clip(np.abs(x) / 25.5, 0.0, 1.0)
     line = -69.0 - 0.9 * bump(t, 0.16) + 0.7 * bump(t - 0.32, 0.14) - 0.8 * t**3
-    open_up = np.sqrt(np.maximum(1.0 - t**1.7, 0.0))
-    upper = line + 7.6 * open_up * (1.0 - 0.16 * bump(t, 0.1) + 0.06 * bump(t - 0.22, 0.1))
-    open_down = np.sqrt(np.maximum(1.0 - t**2.2, 0.0))
-    lower = line - 9.2 * open_down
+    open_up = np.maximum(1.0 - t**1.7, 0.0) ** 0.8
+    upper = line + 7.0 * open_up * (1.0 - 0.16 * bump(t, 0.1) + 0.06 * bump(t - 0.22, 0.1))
+    open_down = np.maximum(1.0 - t**2.2, 0.0) ** 0.7
+    lower = line - 9.0 * open_down
     return upper, line, lower
 
 
@@ -172,17 +176,17 @@ def add_lips(f: Array, p: Array) -> Array:
     # Bodies of the lips: tubes that swell towards the middle.
     high = sweep(
         np.column_stack([x, y, q[:, 2]]),
-        [(0, -65.8, 94.6), (6, -65.2, 94.4), (13, -66.3, 90.6), (20, -68.3, 85.6), (25, -69.6, 80)],
-        [4.6, 4.4, 3.7, 2.6, 1.2],
+        [(0, -66.0, 93.6), (6, -65.4, 93.3), (13, -66.4, 89.9), (20, -68.3, 85.2), (25, -69.6, 80)],
+        [4.5, 4.3, 3.6, 2.5, 1.0],
     )
     low = sweep(
         np.column_stack([x, y, q[:, 2]]),
         [(0, -74.4, 92.6), (7, -74.2, 92.0), (14, -73.2, 88.6), (20, -71.6, 84.6), (25, -70, 79.6)],
-        [5.6, 5.5, 4.5, 2.9, 1.2],
+        [5.7, 5.5, 4.4, 2.7, 1.0],
     )
-    g = smooth_union(g, high, 5.0)
-    g = smooth_union(g, low, 5.0)
-    h = -2.0 * bump(y - line, 0.85) * ramp(t, 1.1, 0.95)
+    g = smooth_union(g, high, 9.0)
+    g = smooth_union(g, low, 6.0)
+    h = -1.3 * bump(y - line, 0.75) * ramp(t, 1.08, 0.8)
     h -= 0.7 * bump(y - line, 2.2) * fade
     h += 0.45 * bump(y - upper, 0.9) * fade  # white roll
     h += 0.25 * bump(y - lower, 1.0) * fade

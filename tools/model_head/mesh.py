@@ -92,12 +92,13 @@ def edge_length_mm(p: Array) -> Array:
     x, y, z = np.abs(p[:, 0]), p[:, 1], p[:, 2]
     face = np.exp(-0.5 * ((x / 48.0) ** 4 + ((y + 40.0) / 72.0) ** 4)) * ramp(z, 0.0, 55.0)
     size = 6.6 - 3.1 * face
-    ears = bump(np.linalg.norm((np.stack([x, y, z], 1) - [80, -6, -17]) / [17, 36, 26], axis=1), 0.62)
+    side = np.stack([x, y, z], axis=1)
+    ears = bump(np.linalg.norm((side - [81, -8, -17]) / [17, 41, 28], axis=1), 0.66)
     nose = bump(np.linalg.norm((p - [0, -40, 102]) / [22, 14, 18], axis=1), 0.65)
     wing = bump(np.linalg.norm((p - [0, -15, 98]) / [18, 30, 20], axis=1), 0.6)
     lips = bump(np.linalg.norm((p - [0, -69.5, 92]) / [32, 13, 18], axis=1), 0.62)
-    lids = bump(np.linalg.norm((np.stack([x, y, z], 1) - [31, 0, 74]) / [20, 14, 16], axis=1), 0.65)
-    for weight, fine in ((ears, 1.55), (nose, 1.35), (wing, 2.1), (lips, 1.5), (lids, 1.35)):
+    lids = bump(np.linalg.norm((side - [31, 0, 74]) / [20, 14, 16], axis=1), 0.65)
+    for weight, fine in ((ears, 1.55), (nose, 1.35), (wing, 2.1), (lips, 1.45), (lids, 1.3)):
         size = size + (fine - size) * np.minimum(1.0, 1.6 * weight) * (size > fine)
     return np.asarray(size)
 

@@ -28,7 +28,7 @@ def regions(p: Array, normals: Array) -> Array:
     q = p - unevenness(p)
     x, y, z = np.abs(q[:, 0]), q[:, 1], q[:, 2]
     upper, _, lower = lip_curves_mm(x)
-    lips = ramp(upper - y, -0.9, 0.7) * ramp(y - lower, -0.9, 0.7) * ramp(x, 26.0, 23.5)
+    lips = ramp(upper - y, -0.9, 0.7) * ramp(y - lower, -0.9, 0.7) * ramp(x, 26.5, 23.0)
     lips = lips * ramp(z, 70.0, 76.0)
     curve = spline(_BROW, 32)
     folded = np.stack([x, y, z], axis=1)
@@ -42,9 +42,10 @@ def regions(p: Array, normals: Array) -> Array:
         return np.asarray(np.exp(-0.5 * np.sum(((place - centre) / size) ** 2, axis=1)))
 
     e = to_ear(q)
-    ear = ramp(e[:, 0], -6.0, 4.0) * ramp(np.abs(e[:, 1]), 38.0, 30.0) * ramp(e[:, 2], -14.0, -4.0)
-    ear = ear * ramp(x, 66.0, 74.0)
-    red = 0.75 * spot((46, -24, 66), (16, 13, 22)) + 0.9 * spot((0, -38, 108), (16, 9, 14))
-    red = red + 0.5 * spot((18, -42, 94), (5, 7, 8)) + 0.75 * ear + 0.3 * spot((0, -100, 92), (16, 9, 12))
+    ear = ramp(e[:, 0], -6.0, 4.0) * ramp(np.abs(e[:, 1]), 38.0, 30.0) * ramp(e[:, 2], -22.0, -11.0)
+    ear = ear * ramp(x, 64.0, 71.0) * ramp(e[:, 2] + 0.4 * e[:, 0], -10.0, -2.0)
+    red = 0.55 * spot((44, -27, 68), (17, 15, 24)) + 0.65 * spot((0, -38, 108), (15, 9, 14))
+    red = red + 0.5 * spot((18, -42, 94), (5, 7, 8)) + 0.7 * ear
+    red = red + 0.3 * spot((0, -100, 92), (16, 9, 12))
     red = red + 0.35 * spot((32, 4, 76), (15, 8, 10))
     return np.clip(np.stack([lips, brow, thin, red], axis=1), 0.0, 1.0)

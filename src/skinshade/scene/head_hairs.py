@@ -74,19 +74,28 @@ def draw(
     shown: NDArray[np.float64],
     half_width_texels: NDArray[np.float64],
     strength: NDArray[np.float64],
+    *,
+    taper: bool = True,
 ) -> None:
-    """Lay tapering strokes onto ``canvas`` ``(H, W)`` in place, keeping the darker value."""
+    """Lay strokes onto ``canvas`` ``(2 H, 2 W)`` in place, keeping the darker value.
+
+    ``path`` ``(steps, N, 2)`` and ``half_width_texels`` ``(N,)`` count texels of an ``(H, W)`` grid.
+    """
     size = canvas.shape[0]
+    path, half_width_texels = path * 2.0, half_width_texels * 2.0
     points = []
     # four points between every two of the path, so that strokes do not break up into dots
     for k in range(len(path) - 1):
         for t in (0.0, 0.25, 0.5, 0.75):
             along = (k + t) / (len(path) - 1)
-            taper = np.minimum(1.0, 0.55 + 1.8 * along) * (1.0 - along**1.6) ** 0.8
+            thin = min(1.0, 0.55 + 1.8 * along) * (1.0 - along**1.6) ** 0.8
+            fade = min(1.0, 4.0 * (1.0 - along))
+            if not taper:
+                thin, fade = min(1.0, 0.4 + 4.0 * min(along, 1.0 - along)), 1.0
             points.append(
                 np.column_stack(
-                    [path[k] * (1 - t) + path[k + 1] * t, half_width_texels * taper,
-                     strength * shown[k + 1] * np.minimum(1.0, 4.0 * (1.0 - along))]
+                    [path[k] * (1 - t) + path[k + 1] * t, half_width_texels * thin,
+                     strength * shown[k + 1] * fade]
                 )
             )
     x, y, half, dark = np.concatenate(points).T
@@ -125,10 +134,10 @@ def eyebrows(
     grown = np.flatnonzero(weight > 0.03)
     if len(grown) == 0:
         return
-    size = canvas.shape[0]
+    size = owner.shape[0]
     area = _texel_mm(frame, owner.ravel()[index[grown]]) ** 2
     chance = np.cumsum(weight[grown].astype(np.float64) ** 0.8 * area)
-    count = int(chance[-1] * 1.35)
+    count = int(chance[-1] * 2.6)
     pick = grown[np.searchsorted(chance, rng.uniform(0.0, chance[-1], count))]
     p = points_mm[pick].astype(np.float64)
     roots = np.stack(np.divmod(index[pick], size), axis=1)
@@ -142,8 +151,8 @@ def eyebrows(
     length = rng.normal(7.6, 1.4, count).clip(4.0, 11.0) * (1.0 - 0.42 * out)
     length *= 0.6 + 0.4 * weight[pick]
     path, shown = trace(roots, heading, bend, length, owner, frame, 16)
-    half = 0.5 * rng.uniform(0.13, 0.25, count) / _texel_mm(frame, owner[roots[:, 0], roots[:, 1]])
-    draw(canvas, path, shown, half, rng.uniform(0.55, 0.95, count))
+    half = 0.5 * rng.uniform(0.18, 0.34, count) / _texel_mm(frame, owner[roots[:, 0], roots[:, 1]])
+    draw(canvas, path, shown, half, rng.uniform(0.55, 0.92, count))
 
 
 def lashes(
@@ -155,7 +164,7 @@ def lashes(
     rng: np.random.Generator,
 ) -> None:
     """Draw the dark line of the closed lids and the lashes that hang from it."""
-    size = canvas.shape[0]
+    size = owner.shape[0]
     for line in LASH_LINES_MM:
         knots = np.array(line)
         low, high = knots.min(axis=0) - 4.0, knots.max(axis=0) + 4.0
@@ -168,8 +177,7 @@ def lashes(
         wanted = knots[leg] + (knots[leg + 1] - knots[leg]) * (t - leg)[:, None]
         wanted += rng.normal(0.0, 0.15, wanted.shape)
         gap = points_mm[near]
-        roots_at = np.array([int(np.argmin(np.sum((gap - w) ** 2, axis=1))) for w in wanted])
-        pick = near[roots_at]
+        pick = near[[int(np.argmin(np.sum((gap - w) ** 2, axis=1))) for w in wanted]]
         roots = np.stack(np.divmod(index[pick], size), axis=1)
         along = t / (len(knots) - 1)
         side = np.sign(wanted[:, 0])
@@ -181,8 +189,12 @@ def lashes(
         texel = _texel_mm(frame, owner[roots[:, 0], roots[:, 1]])
         draw(canvas, path, shown, 0.5 * rng.uniform(0.12, 0.2, count) / texel,
              rng.uniform(0.5, 0.85, count))
-        follow = np.column_stack([roots[:, 1], roots[:, 0]])[None].astype(np.float64)
-        follow = np.swapaxes(follow, 0, 1)[:, :1]
-        joined = follow[np.argsort(along)]
-        draw(canvas, joined, np.ones((count, 1)), np.array([0.32 / float(texel.mean())]),
-             np.array([0.75]))
+        # the line itself, with what the nearest texels miss of its points made good
+        dense = np.linspace(0.0, len(knots) - 1.0, 80)
+        line_mm = np.column_stack([np.interp(dense, np.arange(len(knots)), k) for k in knots.T])
+        pick = near[[int(np.argmin(np.sum((gap - w) ** 2, axis=1))) for w in line_mm]]
+        row, column = np.divmod(index[pick], size)
+        off = np.einsum("nij,nj->ni", frame.to_texels[owner[row, column]], line_mm - points_mm[pick])
+        follow = np.column_stack([column + off[:, 0], row - off[:, 1]])[:, None]
+        draw(canvas, follow, np.ones((80, 1)), np.array([0.24 / float(texel.mean())]),
+             np.array([0.7]), taper=False)

@@ -44,7 +44,7 @@ def cellular_volume(
     """
     lattice = np.stack(np.meshgrid(*[np.arange(across)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     seeds = (lattice + rng.uniform(0.08, 0.92, lattice.shape)) % across
-    tree = cKDTree(seeds, boxsize=float(across))
+    tree = cKDTree(seeds, boxsize=np.full(3, float(across)))
     axis = (np.arange(samples) + 0.5) * (across / samples)
     grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
     near, _ = tree.query(grid, k=2, eps=0.0)

@@ -32,10 +32,12 @@ class Texels:
 
     def interpolate(self, values: Float32, faces: Int32) -> Float32:
         """Vertex values ``(V, C)`` at the texels, ``(N, C)``."""
-        corner = faces[self.face]
-        out = values[corner[:, 0]] * self.weight[:, :1]
-        out += values[corner[:, 1]] * self.weight[:, 1:2]
-        out += values[corner[:, 2]] * self.weight[:, 2:]
+        out = values[faces[:, 0]].take(self.face, axis=0)
+        out *= self.weight[:, :1]
+        for k in (1, 2):
+            corner = values[faces[:, k]].take(self.face, axis=0)
+            corner *= self.weight[:, k : k + 1]
+            out += corner
         return np.asarray(out, dtype=np.float32)
 
 
@@ -50,35 +52,36 @@ def rasterise(uvs: Float32, faces: Int32, size: int) -> Texels:
     a = corner[:, 0]
     e1, e2 = corner[:, 1] - a, corner[:, 2] - a
     area = e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0]
-    cells = np.maximum(span[:, 0], 1) * np.maximum(span[:, 1], 1)
-    order = np.argsort(cells, kind="stable")
-    order = order[(np.min(span, axis=1)[order] > 0) & (np.abs(area[order]) > 1e-12)]
-    start = 0
-    while start < len(order):
-        # a batch of triangles with about equal boxes, walked as one block of rows
-        reach = int(np.searchsorted(cells[order], cells[order[start]] * 1.4 + 2))
-        stop = max(start + 1, min(reach, start + 400_000 // int(cells[order[start]] + 1) + 1))
+    divisor = np.where(np.abs(area) > 1e-12, area, 1.0)
+    # weights of the second and third corner: affine in column and row, from the box's corner
+    step = np.stack([e2[:, 1], -e2[:, 0], -e1[:, 1], e1[:, 0]], axis=1) / divisor[:, None]
+    first = low - a
+    base = np.stack(
+        [step[:, 0] * first[:, 0] + step[:, 1] * first[:, 1],
+         step[:, 2] * first[:, 0] + step[:, 3] * first[:, 1]], axis=1,
+    )
+    affine = np.concatenate([step, base], axis=1).astype(np.float32)
+    corner_index = low[:, 1] * size + low[:, 0]
+    usable = (np.min(span, axis=1) > 0) & (np.abs(area) > 1e-12)
+    usable &= np.all(low + span <= size, axis=1)
+    shape = span[:, 0] * 4096 + span[:, 1]
+    order = np.argsort(shape, kind="stable")
+    order = order[usable[order]]
+    groups = np.flatnonzero(np.diff(shape[order], prepend=-1, append=-1))
+    for start, stop in zip(groups[:-1], groups[1:], strict=True):
+        # triangles whose boxes have the same width and height, walked as one block
         batch = order[start:stop]
-        start = stop
-        count = cells[batch]
-        t = np.repeat(batch, count)
-        k = np.arange(len(t)) - np.repeat(np.cumsum(count) - count, count)
-        width = span[t, 0]
-        row = k // width
-        column = k - row * width + low[t, 0]
-        row += low[t, 1]
-        dx, dy = column - a[t, 0], row - a[t, 1]
-        inverse = 1.0 / area[t]
-        w1 = (dx * e2[t, 1] - dy * e2[t, 0]) * inverse
-        w2 = (e1[t, 0] * dy - e1[t, 1] * dx) * inverse
-        inside = (w1 >= -1e-7) & (w2 >= -1e-7) & (w1 + w2 <= 1.0 + 1e-7)
-        inside &= (row < size) & (column < size)
-        flat = (row * size + column)[inside]
-        owner[flat] = t[inside]
-        w1, w2 = w1[inside], w2[inside]
-        weights[flat, 0] = 1.0 - w1 - w2
-        weights[flat, 1] = w1
-        weights[flat, 2] = w2
+        columns, rows = (int(n) for n in span[batch[0]])
+        r, c = np.divmod(np.arange(columns * rows), columns)
+        k = affine[batch][:, :, None]
+        column, line = c.astype(np.float32), r.astype(np.float32)
+        w1 = k[:, 0] * column + k[:, 1] * line + k[:, 4]
+        w2 = k[:, 2] * column + k[:, 3] * line + k[:, 5]
+        w0 = 1.0 - w1 - w2
+        inside = np.minimum(np.minimum(w0, w1), w2) >= -1e-5
+        flat = (corner_index[batch][:, None] + (r * size + c))[inside]
+        owner[flat] = np.broadcast_to(batch[:, None], inside.shape)[inside]
+        weights[flat] = np.stack([w0[inside], w1[inside], w2[inside]], axis=1)
     index = np.flatnonzero(owner >= 0).astype(np.int32)
     return Texels(size, index, owner[index], weights[index])
 
@@ -125,13 +128,14 @@ class TexelFrame:
 
     With the unit tangent T along +u and the unit bitangent B = N x T (up in the picture, where the
     charts are not mirrored): a step of one texel along +u is ``right_mm`` T, a step of one texel up
-    is ``shear_mm`` T + ``up_mm`` B.  ``to_texels`` ``(F, 2, 3)`` takes a displacement on the skin in
-    millimetres to (right, up) texels.
+    is ``shear_mm`` T + ``up_mm`` B.  ``steps_mm`` ``(F, 2, 3)`` are these two steps in space, and
+    ``to_texels`` ``(F, 2, 3)`` takes a displacement on the skin in millimetres to (right, up) texels.
     """
 
     right_mm: Float32
     shear_mm: Float32
     up_mm: Float32
+    steps_mm: Float32
     to_texels: Float32
 
 
@@ -155,5 +159,5 @@ def texel_frame(positions_mm: Float32, uvs: Float32, faces: Int32, size: int) ->
     inverse = np.stack([row_right, row_up], axis=1)
     return TexelFrame(
         length.astype(np.float32), shear.astype(np.float32), height.astype(np.float32),
-        inverse.astype(np.float32),
+        np.stack([right, up], axis=1).astype(np.float32), inverse.astype(np.float32),
     )

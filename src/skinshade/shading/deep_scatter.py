@@ -53,8 +53,7 @@ def inward_offset(position_mm: FloatArray, normal: FloatArray, offset_mm: float)
 def poisson_disk(taps: int) -> FloatArray:
     """Return points (taps, 2) on the unit disk, evenly spread without a pattern; read-only.
 
-    Each is the best of many candidates, the farthest from those before it, then all are relaxed away
-    from their nearest neighbours.
+    Each is the best of many candidates: the farthest from those before it and from the rim.
 
     Raises
     ------
@@ -64,18 +63,18 @@ def poisson_disk(taps: int) -> FloatArray:
     if not 1 <= taps <= 256:
         raise ArgumentError(f"taps is {taps}; it must be 1..256")
     rng = np.random.default_rng(taps)
-    points = np.zeros((1, 2))
-    while points.shape[0] < taps:
-        radius, angle = np.sqrt(rng.random(512)), 2.0 * np.pi * rng.random(512)
+    points = np.zeros((0, 2))
+    for _ in range(taps):
+        radius, angle = np.sqrt(rng.random(2048)), 2.0 * np.pi * rng.random(2048)
         candidates = radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        nearest = np.linalg.norm(candidates[:, None] - points, axis=2).min(axis=1)
-        points = np.concatenate([points, candidates[[np.argmax(nearest)]]])
-    for _ in range(60 if taps > 1 else 0):
-        apart = points[:, None] - points
-        distance = np.linalg.norm(apart, axis=2) + 1e9 * np.eye(taps)
-        push = (apart / distance[..., None] ** 3).sum(axis=1)
-        points = points + 0.1 / taps * push / np.maximum(np.linalg.norm(push, axis=1), 1e-9)[:, None]
-        points /= np.maximum(np.linalg.norm(points, axis=1), 1.0)[:, None]
+        # The rim repels half as far as a neighbour, as if the next disk began a little way off.
+        room = 2.0 * (1.0 - radius) + 0.8 / np.sqrt(taps)
+        if points.size:
+            apart = np.linalg.norm(candidates[:, None] - points, axis=2).min(axis=1)
+            room = np.minimum(room, apart)
+        points = np.concatenate([points, candidates[[np.argmax(room)]]])
+    points -= points.mean(axis=0)
+    points /= max(1.0, float(np.linalg.norm(points, axis=1).max()))
     points.setflags(write=False)
     return points
 

@@ -1,0 +1,1 @@
+"""skinshade: film-like skin for any renderer."""

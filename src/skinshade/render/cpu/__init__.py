@@ -1,0 +1,1 @@
+"""The CPU backend: the specification on a G-buffer."""

@@ -1,0 +1,296 @@
+"""The specification on a G-buffer, in chunks, on every core."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
+
+import numpy as np
+
+from ..._core.arrays import FloatArray, ImageArray, dot, unit_vectors
+from ..._core.progress import Progress, silent
+from ...mesh import mesh_uv_scale
+from ...scene import Camera, Environment, Light, Scene
+from ...shading import specular
+from ...shading.compose import Ambient, Incident, Skin, Surface, shade
+from ...shading.normals import blur_level
+from ..renderer import RenderSettings
+from .debug import debug_image
+from .geometry import Columns, Geometry, build_geometry
+from .raster import Fragments, rasterize
+from .shadow_map import ShadowMap, render_shadow_map
+from .sky import SkyLight, sky_light
+from .texture import Texture, build_texture
+
+__all__ = ["CpuRenderer"]
+
+CHUNK = 1 << 15
+"""Pixels shaded at once: the arrays of a chunk stay in the caches of one core."""
+DARK_BEYOND = -0.6
+"""N·L below which no table holds light of its own, so that no shadow need be filtered."""
+
+
+class CpuRenderer:
+    """A scene made ready for the CPU.
+
+    Parameters
+    ----------
+    scene
+        What is drawn.
+    progress
+        Called with what is being done and how far it is.
+    """
+
+    def __init__(self, scene: Scene, progress: Progress = silent) -> None:
+        self.scene = scene
+        self.skin = Skin.of(scene.material.profile, scene.material.params)
+        self._progress = progress
+
+    def draw(
+        self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
+    ) -> ImageArray:
+        """Return (H, W, 4) linear light and coverage."""
+        width, height = size
+        clip = self._clip(camera, size)
+        self._prepare()
+        total = np.zeros((height * width, 4))
+        workers = max(1, os.cpu_count() or 1)
+        with ThreadPoolExecutor(workers) as pool:
+            offsets = _sample_offsets(samples, settings.seed)
+            for index, offset in enumerate(offsets):
+                self._progress("shading", index / samples)
+                fragments = rasterize(clip, self.scene.mesh.faces, size, offset)
+                chunks = list(_chunks(fragments))
+                shaded = pool.map(
+                    lambda chunk: self._shade(chunk, camera, samples, settings), chunks
+                )
+                for chunk, colour in zip(chunks, shaded, strict=True):
+                    total[chunk.pixel, :3] += colour
+                    total[chunk.pixel, 3] += 1.0
+        self._progress("shading", 1.0)
+        total /= samples
+        total[:, :3] += (1.0 - total[:, 3:]) * self._background(camera, size)
+        return total.reshape(height, width, 4).astype(np.float32)
+
+    def _prepare(self) -> None:
+        # Made here, in one thread and in this order, so that no two chunks make them twice.
+        for name in ("_sky", "_geometry", "_textures", "_shadow_maps"):
+            self._progress("preparing", 0.0)
+            getattr(self, name)
+        skin = self.skin
+        _ = (skin.sphere, skin.ring, skin.shadow, skin.blend)
+
+    def _clip(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
+        matrix = camera.view_projection(size[0] / size[1])
+        return self.scene.mesh.positions_mm @ matrix[:, :3].T + matrix[:, 3]
+
+    @cached_property
+    def _sky(self) -> SkyLight | None:
+        if self.scene.environment is None:
+            return None
+        return sky_light(
+            self.scene.mesh,
+            self.scene.environment,
+            self.skin.profile.albedo,
+            self.skin.sigma_per_mm,
+            self._progress,
+        )
+
+    @cached_property
+    def _geometry(self) -> Geometry:
+        return build_geometry(self.scene.mesh, self.skin.profile, self._sky)
+
+    @cached_property
+    def _shadow_maps(self) -> list[tuple[Light, ShadowMap]]:
+        return [(light, render_shadow_map(light, self.scene.mesh)) for light in self.scene.lights]
+
+    @cached_property
+    def _textures(self) -> dict[str, Texture]:
+        material = self.scene.material
+        maps = {
+            "albedo": material.albedo,
+            "normal": material.normal,
+            "specular": material.specular,
+            "deep_scatter": material.deep_scatter,
+        }
+        if material.normal is not None:
+            steep = material.normal * (
+                np.array([self.skin.params.normal_strength] * 2 + [1.0], dtype=np.float32)
+            )
+            maps["normal"] = steep / np.linalg.norm(steep, axis=2, keepdims=True)
+        return {name: build_texture(picture) for name, picture in maps.items() if picture is not None}
+
+    @cached_property
+    def _uv_scale_mm(self) -> float:
+        mesh = self.scene.mesh
+        assert mesh.uvs is not None
+        return mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces)
+
+    def _shade(
+        self, chunk: Fragments, camera: Camera, samples: int, settings: RenderSettings
+    ) -> FloatArray:
+        columns = self._geometry.interpolated(chunk.face, chunk.barycentric)
+        surface = self._surface(chunk, columns, camera, samples)
+        lights = [
+            self._incident(light, shadow_map, columns, surface, settings)
+            for light, shadow_map in self._shadow_maps
+        ]
+        if settings.debug_view is not None:
+            view = debug_image(settings.debug_view, surface, lights)
+            if view is not None:
+                return view
+        surroundings = self._surroundings(columns, surface, settings)
+        terms = shade(self.skin, surface, lights, surroundings, settings.shading, settings.tier)
+        if settings.debug_view is not None:
+            return terms[settings.debug_view.replace("-", "_")]
+        total: FloatArray = np.sum(list(terms.values()), axis=0)
+        return total
+
+    def _surface(
+        self, chunk: Fragments, columns: Columns, camera: Camera, samples: int
+    ) -> Surface:
+        params = self.skin.params
+        normal = unit_vectors(columns["normal"])
+        uv = columns["uv"]
+        corner_uv = self._geometry.table[self._geometry.faces[chunk.face]][
+            :, :, self._geometry.slices["uv"]
+        ]
+        # Samples share a pixel: each stands for a smaller footprint.
+        spread = 1.0 / np.sqrt(samples)
+        along_x = spread * np.einsum("ni,nik->nk", chunk.along_x, corner_uv)
+        along_y = spread * np.einsum("ni,nik->nk", chunk.along_y, corner_uv)
+
+        def fetch(name: str) -> FloatArray:
+            texture = self._textures[name]
+            return texture.sample(uv, texture.level(along_x, along_y))
+
+        ones = np.ones(chunk.pixel.size)
+        gloss, reflectance = params.gloss * ones, params.reflectance * ones
+        if "specular" in self._textures:
+            factor, gloss = fetch("specular").T
+            reflectance = params.reflectance * factor
+        albedo = fetch("albedo") if self._textures["albedo"].size > 1 else np.repeat(
+            self.scene.material.albedo.reshape(1, 3).astype(np.float64), ones.size, axis=0
+        )
+        tint = fetch("deep_scatter") if "deep_scatter" in self._textures else np.ones((ones.size, 3))
+        return Surface(
+            view=unit_vectors(camera.position_mm - columns["position"]),
+            mesh_normal=normal,
+            fetched=self._fetched_normals(columns, normal, uv, along_x, along_y),
+            curvature_per_mm=columns["curvature"][:, 0],
+            albedo=albedo,
+            gloss=gloss,
+            reflectance=reflectance,
+            tint=tint,
+            tensor_world=columns["tensor"],
+            diffused_normals=columns["diffused"].reshape(-1, 3, 3),
+        )
+
+    def _fetched_normals(
+        self,
+        columns: Columns,
+        normal: FloatArray,
+        uv: FloatArray,
+        along_x: FloatArray,
+        along_y: FloatArray,
+    ) -> FloatArray:
+        sigmas = self.skin.blend.sigmas_mm
+        if "normal" not in self._textures:
+            return np.repeat(normal[:, None], sigmas.size + 1, axis=1)
+        texture = self._textures["normal"]
+        tangent = columns["tangent"][:, :3]
+        tangent = unit_vectors(tangent - normal * dot(tangent, normal)[:, None])
+        bitangent = np.cross(normal, tangent) * np.sign(columns["tangent"][:, 3:])
+        level = texture.level(along_x, along_y)
+        fetched = []
+        for sigma in (None, *sigmas):
+            at = level if sigma is None else blur_level(sigma, self._uv_scale_mm, texture.size, level)
+            t = texture.sample(uv, at)
+            fetched.append(tangent * t[:, :1] + bitangent * t[:, 1:2] + normal * t[:, 2:])
+        return np.stack(fetched, axis=1)
+
+    def _incident(
+        self,
+        light: Light,
+        shadow_map: ShadowMap,
+        columns: Columns,
+        surface: Surface,
+        settings: RenderSettings,
+    ) -> Incident:
+        params = self.skin.params
+        position, normal = columns["position"], surface.mesh_normal
+        to_light, irradiance = light.at(position)
+        cosine = dot(normal, to_light)
+        lit = np.flatnonzero(cosine > DARK_BEYOND)
+        shadow_filter = np.zeros(cosine.size)
+        shadow_filter[lit] = shadow_map.shadow_filter(
+            position[lit], normal[lit], params.shadow_filter_width_mm
+        )
+        thickness = None
+        if settings.deep_scatter_taps and settings.shading != "lambert":
+            behind = np.flatnonzero(cosine < 0.5)
+            thickness = np.full(cosine.size, 1e3)
+            thickness[behind] = shadow_map.thickness(
+                position[behind],
+                normal[behind],
+                params.deep_scatter_offset_mm,
+                params.deep_scatter_filter_mm,
+                settings.deep_scatter_taps,
+            )
+        return Incident(to_light, irradiance / np.pi, shadow_filter, thickness)
+
+    def _surroundings(
+        self, columns: Columns, surface: Surface, settings: RenderSettings
+    ) -> Ambient | None:
+        environment = self.scene.environment
+        if environment is None:
+            return None
+        through = columns["through"] if settings.deep_scatter_taps else None
+        reflected = _two_lobes(environment, surface)
+        return Ambient(environment.radiance_sh, columns["visibility"], reflected, through)
+
+    def _background(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
+        environment = self.scene.environment
+        if environment is None or not environment.visible:
+            return self.scene.background
+        width, height = size
+        x = (2.0 * np.arange(width) + 1.0) / width - 1.0
+        y = 1.0 - (2.0 * np.arange(height) + 1.0) / height
+        screen = np.stack(np.broadcast_arrays(x[None, :], y[:, None], 1.0, 1.0), axis=-1)
+        far = screen.reshape(-1, 4) @ np.linalg.inv(camera.view_projection(width / height)).T
+        rays = unit_vectors(far[:, :3] / far[:, 3:] - camera.position_mm)
+        return environment.sample(rays)
+
+
+def _two_lobes(environment: Environment, surface: Surface) -> FloatArray:
+    mirror = specular.reflected(surface.sharp, surface.view)
+    power = specular.specular_power(surface.gloss)
+    share = specular.SHARP_LOBE_SHARE
+    # Around the mirror direction a lobe about the half vector is twice as wide: a quarter of the power.
+    wide = environment.preconvolved.sample(mirror, power / 4.0)
+    sharp = environment.preconvolved.sample(mirror, np.square(power) / 4.0)
+    return (1.0 - share) * wide + share * sharp
+
+
+def _sample_offsets(samples: int, seed: int) -> list[tuple[float, float]]:
+    """Points of a pixel by the additive recurrence R₂ [Roberts2018], turned by the seed."""
+    if samples == 1:
+        return [(0.5, 0.5)]
+    start = np.random.default_rng(seed).random(2) if seed else np.array([0.5, 0.5])
+    step = np.array([0.7548776662466927, 0.5698402909980532])  # 1/ρ, 1/ρ² of ρ³ = ρ + 1
+    points = (start + step * np.arange(samples)[:, None]) % 1.0
+    return [(float(x), float(y)) for x, y in points]
+
+
+def _chunks(fragments: Fragments) -> Iterator[Fragments]:
+    for start in range(0, fragments.pixel.size, CHUNK):
+        part = slice(start, start + CHUNK)
+        yield Fragments(
+            fragments.pixel[part],
+            fragments.face[part],
+            fragments.barycentric[part],
+            fragments.along_x[part],
+            fragments.along_y[part],
+        )

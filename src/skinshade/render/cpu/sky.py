@@ -1,0 +1,117 @@
+"""Ambient light that reaches each vertex: past the body's other parts, and through the body.
+
+Depth maps from evenly spread directions tell for each vertex what part of the environment it sees, and
+how thick the body is towards the part that it does not face.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..._core.arrays import FloatArray, dot
+from ..._core.progress import Progress, silent
+from ...mesh import Mesh
+from ...scene import Environment
+from ...scene.camera import look_at, parallel
+from ...shading.deep_scatter import transmittance
+from .raster import depth_maps
+
+__all__ = ["SkyLight", "sky_light"]
+
+DIRECTIONS = 80
+MAP_SIZE = 224
+LOBE_POWER = 12.0
+"""Each direction stands for a lobe about as wide as the distance to its neighbours."""
+BIAS_MM = 1.5
+
+
+@dataclass(frozen=True)
+class SkyLight:
+    """Per vertex.
+
+    Attributes
+    ----------
+    visibility
+        (V, 3) share of the environment's irradiance that arrives, 0..1.
+    through
+        (V, 3) irradiance over π that arrives through the body from behind.
+    thickness_mm
+        (V,) mean thickness towards the directions behind, mm.
+    """
+
+    visibility: FloatArray
+    through: FloatArray
+    thickness_mm: FloatArray
+
+
+def sky_light(
+    mesh: Mesh,
+    environment: Environment,
+    albedo: FloatArray,
+    sigma_per_mm: FloatArray,
+    progress: Progress = silent,
+) -> SkyLight:
+    """Gather `SkyLight` from depth maps in `DIRECTIONS` directions."""
+    points, normals = mesh.positions_mm, mesh.normals
+    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    radius = 1.05 * float(np.sqrt(dot(points - centre, points - centre).max()))
+    directions = _spread(DIRECTIONS)
+    radiance = environment.preconvolved.sample(directions, np.full(DIRECTIONS, LOBE_POWER))
+    arrived, open_sky = np.zeros_like(points), np.zeros_like(points)
+    through, thickness = np.zeros_like(points), np.zeros(points.shape[0])
+    behind_weight = np.zeros(points.shape[0])
+    for index, direction in enumerate(directions):
+        progress("ambient light", index / DIRECTIONS)
+        view = look_at(centre + 2.0 * radius * direction, centre, np.roll(direction, 1))
+        seen = points @ view[:3, :3].T + view[:3, 3]
+        clip = seen @ parallel(radius, radius, 3.0 * radius)[:, :3].T
+        clip[:, 3] = 1.0
+        first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
+        x, y = (0.5 * clip[:, 0] + 0.5) * MAP_SIZE, (0.5 - 0.5 * clip[:, 1]) * MAP_SIZE
+        cosine = dot(normals, direction)
+        facing = np.flatnonzero(cosine > 0.0)
+        lit = _visible(away, x[facing], y[facing], -seen[facing, 2] - BIAS_MM)
+        share = cosine[facing, None] * radiance[index]
+        arrived[facing] += lit[:, None] * share
+        open_sky[facing] += share
+        behind = np.flatnonzero(cosine < 0.0)
+        at = np.clip(y[behind], 0, MAP_SIZE - 1).astype(np.int64), np.clip(
+            x[behind], 0, MAP_SIZE - 1
+        ).astype(np.int64)
+        wall = first[at]
+        depth = np.maximum(-seen[behind, 2] - np.where(np.isfinite(wall), wall, -seen[behind, 2]), 0.0)
+        weight = -cosine[behind]
+        thickness[behind] += weight * depth
+        behind_weight[behind] += weight
+        passed = transmittance(depth, albedo, sigma_per_mm)
+        through[behind] += weight[:, None] * passed * radiance[index]
+    progress("ambient light", 1.0)
+    solid_angle = 4.0 / DIRECTIONS  # 4π/n over π
+    return SkyLight(
+        np.where(open_sky > 0.0, arrived / np.maximum(open_sky, 1e-12), 1.0),
+        through * solid_angle,
+        thickness / np.maximum(behind_weight, 1e-12),
+    )
+
+
+def _spread(count: int) -> FloatArray:
+    """Unit vectors on a spherical Fibonacci lattice."""
+    y = 1.0 - (2.0 * np.arange(count) + 1.0) / count
+    angle = np.arange(count) * np.pi * (3.0 - np.sqrt(5.0))
+    ring = np.sqrt(1.0 - y * y)
+    return np.stack([ring * np.cos(angle), y, ring * np.sin(angle)], axis=1)
+
+
+def _visible(depths: FloatArray, x: FloatArray, y: FloatArray, depth: FloatArray) -> FloatArray:
+    last = depths.shape[0] - 1
+    x0, y0 = np.floor(x - 0.5), np.floor(y - 0.5)
+    fx, fy = x - 0.5 - x0, y - 0.5 - y0
+    total = np.zeros_like(x)
+    for dy, wy in ((0, 1.0 - fy), (1, fy)):
+        for dx, wx in ((0, 1.0 - fx), (1, fx)):
+            row = np.clip(y0 + dy, 0, last).astype(np.int64)
+            column = np.clip(x0 + dx, 0, last).astype(np.int64)
+            total += wx * wy * (depths[row, column] >= depth)
+    return total

@@ -1,0 +1,157 @@
+"""What a backend is, and the one call that makes a picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal, Protocol, get_args
+
+import numpy as np
+
+from .._core.arrays import FloatArray, ImageArray
+from .._core.errors import ArgumentError, BackendError
+from .._core.progress import Progress, silent
+from ..scene import Camera, Scene
+from ..shading.compose import TERMS, ShadingMode, Tier
+from ..shading.tonemap import srgb_from_linear, tonemap
+
+__all__ = [
+    "DEBUG_VIEWS",
+    "TERM_VIEWS",
+    "Backend",
+    "RenderSettings",
+    "Renderer",
+    "display",
+    "open_renderer",
+    "render",
+]
+
+Backend = Literal["auto", "gpu", "cpu"]
+
+GEOMETRY_VIEWS = ("normal", "blurred-normal", "curvature", "thickness", "shadow", "albedo")
+TERM_VIEWS = {term.replace("_", "-"): term for term in TERMS}
+DEBUG_VIEWS = (*GEOMETRY_VIEWS, *TERM_VIEWS)
+"""What can be looked at alone; curvature ±0.2/mm (blue concave, red convex), thickness 0..30 mm."""
+
+
+@dataclass(frozen=True)
+class RenderSettings:
+    """How to shade.
+
+    Attributes
+    ----------
+    shading
+        ``transfer`` (default), ``classic`` (2014) or ``lambert`` (no scattering).
+    tier
+        Geometry that ``transfer`` uses: ``scalar``, ``tensor`` or ``diffused-normals``.
+    deep_scatter_taps
+        0 (off), 8 or 32.
+    debug_view
+        One of `DEBUG_VIEWS`, or None for the picture.
+    seed
+        Moves the samples within the pixels.
+    """
+
+    shading: ShadingMode = "transfer"
+    tier: Tier = "diffused-normals"
+    deep_scatter_taps: int = 8
+    debug_view: str | None = None
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        for name, value, allowed in (
+            ("shading", self.shading, get_args(ShadingMode)),
+            ("tier", self.tier, get_args(Tier)),
+            ("deep_scatter_taps", self.deep_scatter_taps, (0, 8, 32)),
+            ("debug_view", self.debug_view, (None, *DEBUG_VIEWS)),
+        ):
+            if value not in allowed:
+                choices = ", ".join(str(choice) for choice in allowed if choice is not None)
+                raise ArgumentError(f"{name} is {value!r}; it must be one of {choices}")
+        if self.seed < 0:
+            raise ArgumentError(f"seed is {self.seed}; it must not be negative")
+
+
+class Renderer(Protocol):
+    """A scene made ready: what does not depend on the camera is computed once."""
+
+    def draw(
+        self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
+    ) -> ImageArray:
+        """Return (H, W, 4) linear light and coverage."""
+
+
+def open_renderer(
+    scene: Scene, backend: Backend = "auto", progress: Progress = silent
+) -> Renderer:
+    """Make a scene ready to be drawn many times.
+
+    Raises
+    ------
+    BackendError
+        If the backend asked for is not there.
+    """
+    if backend not in get_args(Backend):
+        raise ArgumentError(f"backend is {backend!r}; it must be auto, gpu or cpu")
+    if backend == "gpu":
+        raise BackendError("backend gpu: this version has no GPU renderer; use cpu or auto")
+    from .cpu.renderer import CpuRenderer
+
+    return CpuRenderer(scene, progress)
+
+
+def render(
+    scene: Scene,
+    *,
+    size: tuple[int, int] = (1280, 720),
+    backend: Backend = "auto",
+    samples: int = 4,
+    settings: RenderSettings | None = None,
+    progress: Progress = silent,
+) -> ImageArray:
+    """Draw a scene.
+
+    Parameters
+    ----------
+    scene
+        What is drawn.
+    size
+        (width, height), 1..16384 each.
+    backend
+        ``auto``, ``gpu`` or ``cpu``.
+    samples
+        Samples a pixel, 1..256.
+    settings
+        How to shade; `RenderSettings` by default.
+    progress
+        Called with what is being done and how far it is.
+
+    Returns
+    -------
+    (H, W, 4) float32
+        Linear Rec.709 light before exposure and tone mapping, over the background, and coverage.
+
+    Raises
+    ------
+    ArgumentError, BackendError
+        If the request is out of range, or the backend is not there.
+    """
+    width, height = size
+    if not (1 <= width <= 16384 and 1 <= height <= 16384):
+        raise ArgumentError(f"size is {width}×{height}; each side must be 1..16384 pixels")
+    if not 1 <= samples <= 256:
+        raise ArgumentError(f"samples is {samples}; it must be 1..256")
+    renderer = open_renderer(scene, backend, progress)
+    return renderer.draw(scene.camera, size, samples, settings or RenderSettings())
+
+
+def display(image: ImageArray, scene: Scene, settings: RenderSettings) -> FloatArray:
+    """Return display values (H, W, 3) of a rendered image: the scene's tone, none for geometry."""
+    light = image[..., :3].astype(np.float64)
+    if settings.debug_view in GEOMETRY_VIEWS:
+        return srgb_from_linear(light)
+    return tonemap(light, scene.tone, scene.exposure)
+
+
+def without_debug(settings: RenderSettings) -> RenderSettings:
+    """Return the settings of the whole picture."""
+    return replace(settings, debug_view=None)

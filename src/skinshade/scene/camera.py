@@ -1,0 +1,116 @@
+"""A perspective camera, and the matrices of views in general."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._core.arrays import FloatArray, as_floats, unit_vectors
+from .._core.errors import ArgumentError
+
+__all__ = ["Camera", "look_at", "parallel", "perspective"]
+
+
+def look_at(eye: FloatArray, target: FloatArray, up: FloatArray) -> FloatArray:
+    """Return the (4, 4) view matrix for column vectors, looking down −z, y up."""
+    backward = unit_vectors(eye - target)
+    side = np.cross(up, backward)
+    if np.linalg.norm(side) < 1e-9:  # looking straight up or down: any side will do
+        side = np.cross(np.roll(np.abs(backward), 1) + 0.1, backward)
+    right = unit_vectors(side)
+    rotation = np.stack([right, np.cross(backward, right), backward])
+    view = np.eye(4)
+    view[:3, :3], view[:3, 3] = rotation, -rotation @ eye
+    return view
+
+
+def perspective(vertical_fov_deg: float, aspect: float, near: float, far: float) -> FloatArray:
+    """Return the (4, 4) projection, right-handed, depth 0..1, for column vectors."""
+    f = 1.0 / np.tan(np.radians(vertical_fov_deg) / 2.0)
+    return np.array(
+        [
+            [f / aspect, 0.0, 0.0, 0.0],
+            [0.0, f, 0.0, 0.0],
+            [0.0, 0.0, far / (near - far), near * far / (near - far)],
+            [0.0, 0.0, -1.0, 0.0],
+        ]
+    )
+
+
+def parallel(half_width: float, near: float, far: float) -> FloatArray:
+    """Return the (4, 4) parallel projection of a square, right-handed, depth 0..1."""
+    return np.array(
+        [
+            [1.0 / half_width, 0.0, 0.0, 0.0],
+            [0.0, 1.0 / half_width, 0.0, 0.0],
+            [0.0, 0.0, 1.0 / (near - far), near / (near - far)],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the picture is taken from.
+
+    Attributes
+    ----------
+    position_mm, target_mm
+        (3,) mm.
+    vertical_fov_deg
+        Degrees, 1..150.
+    up
+        (3,) direction that is up in the picture.
+    """
+
+    position_mm: FloatArray
+    target_mm: FloatArray
+    vertical_fov_deg: float = 20.0
+    up: FloatArray = (0.0, 1.0, 0.0)  # type: ignore[assignment]  # made an array below
+
+    def __post_init__(self) -> None:
+        for name in ("position_mm", "target_mm", "up"):
+            object.__setattr__(self, name, as_floats(f"camera {name}", getattr(self, name), (3,)))
+        if np.array_equal(self.position_mm, self.target_mm):
+            raise ArgumentError(f"camera: position and target are both {self.position_mm} mm")
+        as_floats("camera vertical_fov_deg", self.vertical_fov_deg, (), low=1.0, high=150.0)
+
+    @classmethod
+    def orbit(
+        cls,
+        target_mm: ArrayLike,
+        distance_mm: float,
+        *,
+        yaw_deg: float = 0.0,
+        pitch_deg: float = 0.0,
+        vertical_fov_deg: float = 20.0,
+    ) -> Camera:
+        """Return a camera on a sphere about a target.
+
+        Yaw 0 looks at a face that looks towards +z, 90 at its left side; pitch 90 looks down.
+        """
+        target = as_floats("target_mm", target_mm, (3,))
+        return cls(target + distance_mm * direction_of(yaw_deg, pitch_deg), target, vertical_fov_deg)
+
+    def orbited(self, yaw_deg: float) -> Camera:
+        """Return the camera turned about the vertical through its target."""
+        a = np.radians(yaw_deg)
+        x, y, z = self.position_mm - self.target_mm
+        turned = np.array([x * np.cos(a) + z * np.sin(a), y, z * np.cos(a) - x * np.sin(a)])
+        return replace(self, position_mm=self.target_mm + turned)
+
+    def view_projection(self, aspect: float) -> FloatArray:
+        """Return the (4, 4) matrix from mm to clip coordinates."""
+        distance = float(np.linalg.norm(self.position_mm - self.target_mm))
+        projection = perspective(self.vertical_fov_deg, aspect, 0.01 * distance, 100.0 * distance)
+        return projection @ look_at(self.position_mm, self.target_mm, self.up)
+
+
+def direction_of(yaw_deg: float, pitch_deg: float) -> FloatArray:
+    """Return the unit vector (3,) at a yaw from +z towards +x and a pitch towards +y, degrees."""
+    yaw, pitch = np.radians(yaw_deg), np.radians(pitch_deg)
+    return np.array(
+        [np.sin(yaw) * np.cos(pitch), np.sin(pitch), np.cos(yaw) * np.cos(pitch)]
+    )

@@ -1,0 +1,234 @@
+"""Light from all around: an equirectangular picture, its harmonics, and its preconvolved reflections."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .._core.arrays import FloatArray, ImageArray, as_floats
+from .._core.errors import ArgumentError
+from .images import read_linear
+
+__all__ = ["Environment", "PreconvolvedRadiance"]
+
+BANDS = 64
+"""Harmonics kept for reflections: a Phong lobe of power p needs about 2√(p+1) of them."""
+POWERS = (1.0, 4.0, 16.0, 64.0, 256.0)
+"""Phong powers of the preconvolved levels; a Blinn-Phong power n reflects like n/4 [Walter2007]."""
+LEVEL_SIZE = (128, 64)
+WORK_SIZE = (256, 128)
+
+
+@dataclass(frozen=True)
+class PreconvolvedRadiance:
+    """Radiance averaged over Phong lobes around every direction, a level for each of `POWERS`.
+
+    Attributes
+    ----------
+    levels
+        (n, H, W, 3).
+    """
+
+    levels: ImageArray
+
+    def sample(self, directions: FloatArray, power: FloatArray) -> FloatArray:
+        """Return (..., 3) radiance around unit directions (..., 3) for Phong powers (...)."""
+        level = np.log(np.maximum(power, POWERS[0])) / np.log(POWERS[1])
+        level = np.clip(level, 0.0, self.levels.shape[0] - 1.0)
+        low = np.minimum(level.astype(np.int64), self.levels.shape[0] - 2)
+        share = (level - low)[..., None]
+        u, v = equirectangular_uv(directions)
+        sharp = _bilinear(self.levels, low + 1, u, v)
+        return _bilinear(self.levels, low, u, v) * (1.0 - share) + sharp * share
+
+
+@dataclass(frozen=True)
+class Environment:
+    """An equirectangular picture of radiance.
+
+    Attributes
+    ----------
+    radiance
+        (H, W, 3) linear; u = ½ + atan2(z, x)/2π, v = acos(y)/π from the top.
+    scale
+        Multiplies it, ≥ 0.
+    visible
+        Whether it is the background too.
+    """
+
+    radiance: ImageArray
+    scale: float = 1.0
+    visible: bool = False
+
+    def __post_init__(self) -> None:
+        if self.radiance.ndim != 3 or self.radiance.shape[2] != 3 or min(self.radiance.shape[:2]) < 2:
+            raise ArgumentError(f"environment: shape is {self.radiance.shape}; it must be (H, W, 3)")
+        if not np.isfinite(self.radiance).all() or self.radiance.min() < 0.0:
+            raise ArgumentError("environment: radiance must be finite and not negative")
+        as_floats("environment scale", self.scale, (), low=0.0)
+
+    @classmethod
+    def load(
+        cls, path: str | os.PathLike[str], *, scale: float = 1.0, visible: bool = False
+    ) -> Environment:
+        """Read an equirectangular ``.hdr`` or ``.exr`` (or any image).
+
+        Raises
+        ------
+        ImageFileError
+            If it cannot be read.
+        """
+        return cls(np.maximum(read_linear(path), 0.0), scale, visible)
+
+    @classmethod
+    def constant(cls, radiance: float | FloatArray, *, scale: float = 1.0) -> Environment:
+        """Return the same radiance from everywhere."""
+        picture = np.broadcast_to(np.asarray(radiance, dtype=np.float32), (16, 32, 3))
+        return cls(np.ascontiguousarray(picture), scale)
+
+    @classmethod
+    def studio(cls, *, scale: float = 1.0) -> Environment:
+        """Return the built-in photographer's studio: a large soft key, fill, rim light, dark walls."""
+        height, width = WORK_SIZE[1], WORK_SIZE[0]
+        directions = _grid_directions(height, width)
+        picture = np.full((height, width, 3), 0.06) * (0.6 + 0.4 * directions[..., 1:2])
+        picture += np.array([0.05, 0.04, 0.03]) * np.maximum(-directions[..., 1:2], 0.0)
+        panels = (
+            ((-0.62, 0.45, 0.64), 0.50, (3.6, 3.4, 3.1)),  # key, warm, from the upper left
+            ((0.85, 0.10, 0.50), 0.55, (0.42, 0.46, 0.55)),  # fill, cool
+            ((0.55, 0.35, -0.75), 0.30, (2.6, 2.7, 2.9)),  # rim, from behind
+            ((-0.75, 0.20, -0.60), 0.22, (1.2, 1.2, 1.2)),
+        )
+        for centre, radius, colour in panels:
+            angle = np.arccos(np.clip(directions @ (np.array(centre) / np.linalg.norm(centre)), -1, 1))
+            edge = np.clip((radius - angle) / 0.12 + 0.5, 0.0, 1.0)[..., None]
+            picture += np.array(colour) * edge * edge * (3.0 - 2.0 * edge)
+        return cls(picture.astype(np.float32), scale)
+
+    @cached_property
+    def radiance_sh(self) -> FloatArray:
+        """(9, 3) coefficients of bands 0..2, in the order of `skinshade.shading.ambient.sh_basis`."""
+        picture = _averaged(self.radiance, WORK_SIZE)
+        height, width = picture.shape[:2]
+        directions = _grid_directions(height, width).reshape(-1, 3)
+        weights = np.repeat(_row_solid_angle(height) / width, width)
+        return self.scale * np.einsum(
+            "nb,n,nc->bc", _low_basis(directions), weights, picture.reshape(-1, 3)
+        )
+
+    @cached_property
+    def preconvolved(self) -> PreconvolvedRadiance:
+        """Reflections at every roughness, by damping harmonics: exact, and smooth at any power."""
+        picture = _averaged(self.radiance, WORK_SIZE)
+        nodes, weights = np.polynomial.legendre.leggauss(4 * BANDS)
+        levels = []
+        analysis, synthesis = _zonal_machinery(picture.shape[0], LEVEL_SIZE[1])
+        spectrum = np.fft.rfft(picture, axis=1)[:, : BANDS + 1] / picture.shape[1]
+        for power in POWERS:
+            lobe = np.maximum(nodes, 0.0) ** power
+            damping = np.polynomial.legendre.legvander(nodes, BANDS).T @ (weights * lobe)
+            damping /= weights @ lobe
+            rows = np.zeros((LEVEL_SIZE[1], LEVEL_SIZE[0] // 2 + 1, 3), dtype=np.complex128)
+            for m in range(min(BANDS, LEVEL_SIZE[0] // 2) + 1):
+                coefficients = analysis[m] @ spectrum[:, m]
+                rows[:, m] = synthesis[m].T @ (damping[m:, None] * coefficients)
+            smooth = np.fft.irfft(rows * LEVEL_SIZE[0], n=LEVEL_SIZE[0], axis=1)
+            smooth = _shifted_to_centres(smooth, picture.shape[1])
+            levels.append(np.maximum(smooth, 0.0) * self.scale)
+        return PreconvolvedRadiance(np.stack(levels).astype(np.float32))
+
+    def sample(self, directions: FloatArray) -> FloatArray:
+        """Return radiance (..., 3) from unit directions (..., 3), bilinear."""
+        u, v = equirectangular_uv(directions)
+        picture = self.radiance[None]
+        return self.scale * _bilinear(picture, np.zeros(u.shape, dtype=np.int64), u, v)
+
+
+def equirectangular_uv(directions: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return u, v (...) in 0..1 of unit directions (..., 3)."""
+    u = 0.5 + np.arctan2(directions[..., 2], directions[..., 0]) / (2.0 * np.pi)
+    v = np.arccos(np.clip(directions[..., 1], -1.0, 1.0)) / np.pi
+    return u, v
+
+
+def _grid_directions(height: int, width: int) -> FloatArray:
+    theta = (np.arange(height) + 0.5) / height * np.pi
+    phi = ((np.arange(width) + 0.5) / width - 0.5) * 2.0 * np.pi
+    sine = np.sin(theta)[:, None]
+    flat = np.broadcast_to(np.cos(theta)[:, None], (height, width))
+    return np.stack([sine * np.cos(phi), flat, sine * np.sin(phi)], axis=-1)
+
+
+def _row_solid_angle(height: int) -> FloatArray:
+    edges = np.cos(np.arange(height + 1) / height * np.pi)
+    return 2.0 * np.pi * (edges[:-1] - edges[1:])
+
+
+def _averaged(picture: ImageArray, size: tuple[int, int]) -> FloatArray:
+    """Average whole blocks down to about a size; light is kept, however small a sun is."""
+    height, width = picture.shape[:2]
+    if height < size[1] or width < size[0]:
+        picture = picture.repeat(-(-size[1] // height), axis=0).repeat(-(-size[0] // width), axis=1)
+        height, width = picture.shape[:2]
+    fy, fx = max(1, height // size[1]), max(1, width // size[0])
+    whole = picture[: height // fy * fy, : width // fx * fx].astype(np.float64)
+    return whole.reshape(height // fy, fy, width // fx, fx, 3).mean(axis=(1, 3))
+
+
+def _low_basis(directions: FloatArray) -> FloatArray:
+    from ..shading.ambient import sh_basis
+
+    return sh_basis(directions)
+
+
+def _zonal_machinery(rows_in: int, rows_out: int) -> tuple[list[FloatArray], list[FloatArray]]:
+    """Matrices from rows to harmonics of each order m, and back: (l, rows) each."""
+    x_in = np.cos((np.arange(rows_in) + 0.5) / rows_in * np.pi)
+    x_out = np.cos((np.arange(rows_out) + 0.5) / rows_out * np.pi)
+    weights = _row_solid_angle(rows_in)
+    analysis = [table * weights for table in _associated_legendre(x_in)]
+    return analysis, _associated_legendre(x_out)
+
+
+def _associated_legendre(x: FloatArray) -> list[FloatArray]:
+    """Orthonormal P_l^m for m = 0..BANDS, l = m..BANDS, as (l, rows) per m."""
+    sine = np.sqrt(1.0 - x * x)
+    diagonal = np.full_like(x, np.sqrt(1.0 / (4.0 * np.pi)))
+    tables = []
+    for m in range(BANDS + 1):
+        table = np.zeros((BANDS - m + 1, x.size))
+        table[0] = diagonal
+        if m < BANDS:
+            table[1] = np.sqrt(2.0 * m + 3.0) * x * diagonal
+        for degree in range(m + 2, BANDS + 1):
+            a = np.sqrt((4.0 * degree**2 - 1.0) / (degree**2 - m**2))
+            b = np.sqrt(((degree - 1.0) ** 2 - m**2) / (4.0 * (degree - 1.0) ** 2 - 1.0))
+            table[degree - m] = a * (x * table[degree - m - 1] - b * table[degree - m - 2])
+        tables.append(table)
+        diagonal = np.sqrt((2.0 * m + 3.0) / (2.0 * m + 2.0)) * sine * diagonal
+    return tables
+
+
+def _shifted_to_centres(rows: FloatArray, width_in: int) -> FloatArray:
+    """Column centres of both grids lie half a texel in: turn by the difference."""
+    width_out = rows.shape[1]
+    turn = (0.5 / width_out - 0.5 / width_in) * np.arange(width_out // 2 + 1)
+    phase = np.exp(2j * np.pi * turn)[None, :, None]
+    return np.fft.irfft(np.fft.rfft(rows, axis=1) * phase, n=width_out, axis=1)
+
+
+def _bilinear(
+    levels: ImageArray, level: np.ndarray[tuple[int, ...], np.dtype[np.int64]], u: FloatArray, v: FloatArray
+) -> FloatArray:
+    _, height, width, _ = levels.shape
+    x, y = u * width - 0.5, np.clip(v * height - 0.5, 0.0, height - 1.0)
+    x0, y0 = np.floor(x).astype(np.int64), np.minimum(y.astype(np.int64), height - 2)
+    fx, fy = (x - x0)[..., None], (y - y0)[..., None]
+    left, right = x0 % width, (x0 + 1) % width
+    top = levels[level, y0, left] * (1.0 - fx) + levels[level, y0, right] * fx
+    bottom = levels[level, y0 + 1, left] * (1.0 - fx) + levels[level, y0 + 1, right] * fx
+    result: FloatArray = top * (1.0 - fy) + bottom * fy
+    return result

@@ -1,0 +1,109 @@
+"""Images in and out, linear Rec.709 inside, through OpenImageIO."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio  # noqa: N813 — the name its own manual gives it
+
+from .._core.arrays import FloatArray, ImageArray
+from .._core.errors import ArgumentError, ImageFileError, OutputError
+from .._core.files import atomic_write, existing_file
+
+__all__ = ["read_image", "read_linear", "write_exr", "write_image", "write_png"]
+
+LARGEST_SIDE = 32768
+"""A header that claims more is taken for corrupt before memory is asked for it."""
+
+
+def read_image(path: str | os.PathLike[str], channels: int = 3) -> ImageArray:
+    """Return the stored values of an image, (H, W, channels) float32, integers scaled to 0..1.
+
+    Raises
+    ------
+    ImageFileError
+        If the file is missing, corrupt, too large, or holds NaN or infinite values.
+    """
+    file = existing_file(path, ImageFileError)
+    source = oiio.ImageInput.open(str(file))
+    if source is None:
+        raise ImageFileError(f"{file}: not an image ({oiio.geterror().strip()})")
+    try:
+        spec = source.spec()
+        if max(spec.width, spec.height) > LARGEST_SIDE:
+            raise ImageFileError(f"{file}: claims {spec.width}×{spec.height} pixels; too large")
+        pixels = source.read_image("float")
+        if pixels is None:
+            raise ImageFileError(f"{file}: corrupt ({source.geterror().strip()})")
+    finally:
+        source.close()
+    if pixels.ndim == 2:
+        pixels = pixels[..., None]
+    if pixels.shape[2] in (1, 2):  # grey, with or without alpha
+        pixels = np.repeat(pixels[..., :1], channels, axis=2)
+    if pixels.shape[2] < channels:
+        raise ImageFileError(f"{file}: has {pixels.shape[2]} channels; {channels} are needed")
+    pixels = np.ascontiguousarray(pixels[..., :channels], dtype=np.float32)
+    if not np.isfinite(pixels).all():
+        raise ImageFileError(f"{file}: holds NaN or infinite pixels")
+    return pixels
+
+
+def read_linear(path: str | os.PathLike[str]) -> ImageArray:
+    """Return an image as linear light: HDR and EXR as they are, all else through the sRGB curve."""
+    pixels = read_image(path)
+    if Path(path).suffix.lower() in (".hdr", ".exr", ".rgbe"):
+        return pixels
+    table = (np.arange(65536) / 65535.0).astype(np.float64)
+    linear = np.where(table <= 0.04045, table / 12.92, ((table + 0.055) / 1.055) ** 2.4)
+    result: ImageArray = linear.astype(np.float32)[
+        np.rint(np.clip(pixels, 0.0, 1.0) * 65535.0).astype(np.int64)
+    ]
+    return result
+
+
+def write_image(path: str | os.PathLike[str], linear: ImageArray, display: FloatArray) -> None:
+    """Write ``.png`` from display values or ``.exr`` from linear ones.
+
+    Raises
+    ------
+    ArgumentError, OutputError
+        If the suffix is another, or the place cannot be written.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix == ".png":
+        write_png(path, display)
+    elif suffix == ".exr":
+        write_exr(path, linear)
+    else:
+        raise ArgumentError(f"{path}: suffix {suffix!r}; a picture is saved as .png or .exr")
+
+
+def write_png(path: str | os.PathLike[str], display: FloatArray) -> None:
+    """Write display values 0..1 (H, W, 3 or 4) as 8-bit PNG."""
+    pixels = np.rint(np.clip(display, 0.0, 1.0) * 255.0).astype(np.uint8)
+    _write(path, pixels, "uint8")
+
+
+def write_exr(path: str | os.PathLike[str], linear: ImageArray) -> None:
+    """Write linear values (H, W, 3 or 4) as float32 EXR."""
+    _write(path, np.asarray(linear, dtype=np.float32), "float")
+
+
+def _write(path: str | os.PathLike[str], pixels: np.ndarray[tuple[int, ...], np.dtype[np.generic]], kind: str) -> None:
+    with atomic_write(path) as temporary:
+        spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], kind)
+        if pixels.shape[2] == 4:
+            spec.alpha_channel = 3
+        out = oiio.ImageOutput.create(str(temporary))
+        written = (
+            out is not None
+            and out.open(str(temporary), spec)
+            and out.write_image(np.ascontiguousarray(pixels))
+            and out.close()
+        )
+        if not written:
+            reason = out.geterror() if out is not None else oiio.geterror()
+            raise OutputError(f"{path}: cannot write it ({reason.strip()})")

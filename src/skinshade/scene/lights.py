@@ -1,0 +1,116 @@
+"""Directional and spot lights."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._core.arrays import FloatArray, as_floats, as_rgb, dot, unit_vectors
+from .._core.errors import ArgumentError
+from .camera import direction_of, look_at, parallel, perspective
+
+__all__ = ["DirectionalLight", "Light", "SpotLight"]
+
+MARGIN = 1.03
+"""Shadow maps reach this far past the body, so that a filter at its edge finds empty texels."""
+
+
+@dataclass(frozen=True)
+class DirectionalLight:
+    """Light from infinity.
+
+    Attributes
+    ----------
+    to_light
+        (3,) direction towards it; made a unit vector.
+    irradiance
+        (3,) on a surface that faces it; π gives a white Lambert surface radiance 1.
+    """
+
+    to_light: FloatArray
+    irradiance: FloatArray
+
+    def __post_init__(self) -> None:
+        direction = as_floats("light to_light", self.to_light, (3,))
+        if not direction.any():
+            raise ArgumentError("light to_light is 0, 0, 0; it must be a direction")
+        object.__setattr__(self, "to_light", unit_vectors(direction))
+        object.__setattr__(self, "irradiance", as_rgb("light irradiance", self.irradiance, low=0.0))
+
+    @classmethod
+    def from_angles(cls, yaw_deg: float, pitch_deg: float, intensity: float) -> DirectionalLight:
+        """Return a white light; yaw from +z to +x, pitch to +y; intensity 1 is irradiance π."""
+        return cls(direction_of(yaw_deg, pitch_deg), np.full(3, np.pi * intensity))
+
+    def at(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return direction (..., 3) and irradiance (..., 3) at positions (..., 3)."""
+        return (
+            np.broadcast_to(self.to_light, position_mm.shape),
+            np.broadcast_to(self.irradiance, position_mm.shape),
+        )
+
+    def view_and_projection(
+        self, centre_mm: FloatArray, radius_mm: float
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the matrices (4, 4) of a shadow map that holds a sphere."""
+        reach = MARGIN * radius_mm
+        view = look_at(centre_mm + 2.0 * reach * self.to_light, centre_mm, _up(self.to_light))
+        return view, parallel(reach, reach, 3.0 * reach)
+
+
+@dataclass(frozen=True)
+class SpotLight:
+    """Light from a point, within a cone with a soft edge.
+
+    Attributes
+    ----------
+    position_mm, target_mm
+        (3,) mm.
+    irradiance
+        (3,) at the target, on a surface that faces the light; falls off with the square of distance.
+    cone_deg
+        Half angle at which the light has gone, 1..80; full within four fifths of it.
+    """
+
+    position_mm: FloatArray
+    target_mm: FloatArray
+    irradiance: FloatArray
+    cone_deg: float = 30.0
+
+    def __post_init__(self) -> None:
+        for name in ("position_mm", "target_mm"):
+            object.__setattr__(self, name, as_floats(f"light {name}", getattr(self, name), (3,)))
+        if np.array_equal(self.position_mm, self.target_mm):
+            raise ArgumentError(f"light: position and target are both {self.position_mm} mm")
+        object.__setattr__(self, "irradiance", as_rgb("light irradiance", self.irradiance, low=0.0))
+        as_floats("light cone_deg", self.cone_deg, (), low=1.0, high=80.0)
+
+    def at(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return direction (..., 3) and irradiance (..., 3) at positions (..., 3)."""
+        to_light = self.position_mm - position_mm
+        distance2 = dot(to_light, to_light)[..., None]
+        direction = to_light / np.sqrt(distance2)
+        axis = self.position_mm - self.target_mm
+        outer, inner = np.cos(np.radians([self.cone_deg, 0.8 * self.cone_deg]))
+        along = dot(direction, unit_vectors(axis))[..., None]
+        t = np.clip((along - outer) / (inner - outer), 0.0, 1.0)
+        falloff = dot(axis, axis) / distance2
+        return direction, self.irradiance * falloff * t * t * (3.0 - 2.0 * t)
+
+    def view_and_projection(
+        self, centre_mm: FloatArray, radius_mm: float
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the matrices (4, 4) of a shadow map that holds the cone up to a sphere's far end."""
+        distance = float(np.linalg.norm(centre_mm - self.position_mm))
+        near = max(distance - MARGIN * radius_mm, 1e-2 * distance)
+        axis = unit_vectors(self.position_mm - self.target_mm)
+        view = look_at(self.position_mm, self.target_mm, _up(axis))
+        return view, perspective(2.0 * self.cone_deg, 1.0, near, distance + MARGIN * radius_mm)
+
+
+Light = DirectionalLight | SpotLight
+
+
+def _up(direction: FloatArray) -> FloatArray:
+    return np.array([0.0, 0.0, 1.0] if abs(direction[1]) > 0.9 else [0.0, 1.0, 0.0])
