@@ -1,0 +1,1 @@
+"""The tool that models the built-in head."""

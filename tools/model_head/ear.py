@@ -1,8 +1,8 @@
 """The outer ear as a thin bent sheet.
 
 In the ear's own frame ``u`` goes backwards, ``v`` up along the ear and ``w`` out of its plane.  The
-cartilage is a sheet of 2.6-4 mm about a height ``w = m(u, v)``, bounded by an outline in ``(u, v)``;
-the curled rim (helix) and the tragus are tubes laid on top.
+cartilage is a sheet of 2.6-4 mm about a height ``w = m(u, v)``, bounded by an outline in
+``(u, v)``; the curled rim (helix) and the tragus are tubes laid on top.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def to_ear(p: Array) -> Array:
 def _height_mm(uv: Array) -> Array:
     """Middle height of the sheet over the ear's plane."""
     u, v = uv[:, 0], uv[:, 1]
-    anti, at = along(uv, spline(np.column_stack([_ANTIHELIX, np.zeros(len(_ANTIHELIX))]), 30)[:, :2])
+    anti, at = along(uv, spline(_ANTIHELIX, 30))
     crus, _ = along(uv, np.asarray(_LOWER_CRUS, dtype=np.float64))
     bowl, _ = along(uv, np.asarray(_CONCHA, dtype=np.float64))
     m = 0.055 * np.maximum(u - 8.0, 0.0) - 0.0025 * np.maximum(u - 8.0, 0.0) ** 2
@@ -79,15 +79,15 @@ def _height_mm(uv: Array) -> Array:
 
 
 def ear(p: Array) -> Array:
-    """The ear alone, both sides folded onto one."""
+    """Give the distance to the ear alone, both sides folded onto one."""
     e = to_ear(p)
     uv = e[:, :2]
-    outline = spline(np.column_stack([_OUTLINE, np.zeros(len(_OUTLINE))]), 72, closed=True)[:, :2]
+    outline = spline(_OUTLINE, 72, closed=True)
     inside = polygon(uv, outline)
     middle = _height_mm(uv)
     slope = 1e-2
-    du = (_height_mm(uv + [slope, 0.0]) - middle) / slope
-    dv = (_height_mm(uv + [0.0, slope]) - middle) / slope
+    du = (_height_mm(uv + np.array([slope, 0.0])) - middle) / slope
+    dv = (_height_mm(uv + np.array([0.0, slope])) - middle) / slope
     steep = np.sqrt(1.0 + np.minimum(du * du + dv * dv, 9.0))
     half = 1.35 + 0.9 * ramp(uv[:, 1], -15.0, -24.0)
     sheet = np.abs(e[:, 2] - middle) / steep - half

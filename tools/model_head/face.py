@@ -14,7 +14,6 @@ from .fields import (
     round_cone,
     smooth_subtraction,
     smooth_union,
-    sphere,
     spline,
     sweep,
     within,
@@ -50,8 +49,8 @@ def relief_mm(p: Array) -> Array:
     h += 2.0 * spot(49, -18, 11, 7.5, -25)  # cheekbone
     h -= 0.9 * spot(24, -15, 9, 3.0, -22)  # tear trough
     h += 0.9 * spot(30, -9, 10, 3.5, 0)  # lower lid pad
-    h += 1.3 * spot(29, -36, 8, 9, 0)  # cheek pad beside the nose
-    h -= 1.5 * spot(29.5, -54, 3.6, 11, -28)  # nasolabial fold
+    h += 1.5 * spot(29, -36, 8, 9, 0)  # cheek pad beside the nose
+    h -= 1.9 * spot(29.5, -54, 3.6, 11, -28)  # nasolabial fold
     h += 0.8 * spot(36, -57, 6, 9, -25)
     h -= 0.9 * spot(31, -76, 3.5, 6, -10)  # beside the mouth corner
     h -= 1.5 * spot(47, -52, 9, 13, -20)  # hollow under the cheekbone
@@ -71,7 +70,7 @@ def _nose_core(p: Array) -> Array:
         [5.0, 4.2, 4.8, 5.6, 6.2],
     )
     out = smooth_union(body, ridge, 7.0)
-    tip = ellipsoid(s, (2.6, -36.2, 105.6), (8.2, 7.6, 8.6))
+    tip = ellipsoid(s, (2.9, -36.0, 105.8), (7.5, 7.2, 8.4))
     out = smooth_union(out, tip, 8.0)
     ala = ellipsoid(s, (11.0, -40.6, 97.2), (6.8, 6.8, 10.4), rotation(12, -18, -6))
     out = smooth_union(out, ala, 5.0)
@@ -102,10 +101,11 @@ def add_nose(f: Array, p: Array) -> Array:
     )
     g = smooth_subtraction(g, groove, 4.0)
     crease = spline(
-        [(7.5, -28.5, 107), (11.2, -33, 105.5), (13, -38.5, 103.5), (12.4, -44, 103)], 20
+        [(19.6, -43, 90.5), (18.6, -37.5, 94.5), (15, -33.3, 99), (11.6, -32.6, 103.8),
+         (10.6, -36.5, 107), (10.4, -42, 107.5)], 28,
     )
     gap, at = along(s, crease)
-    g = g + 0.95 * bump(gap, 2.0) * np.sin(np.pi * np.clip(at, 0.0, 1.0)) ** 0.7
+    g = g + 1.35 * bump(gap, 1.6) * np.sin(np.pi * np.clip(at, 0.0, 1.0)) ** 0.6
     g = smooth_subtraction(g, _nostrils(q), 1.6)
     out = f.copy()
     out[near] = g
@@ -125,7 +125,7 @@ def fold_height_mm(x: Array) -> Array:
 
 
 def add_eyes(f: Array, p: Array) -> Array:
-    """Closed lids over the eyeballs."""
+    """Lay closed lids over the eyeballs."""
     near = within(p, (-60, -30, 40), (60, 35, 100))
     q = p[near]
     s = _both(q)
@@ -137,8 +137,8 @@ def add_eyes(f: Array, p: Array) -> Array:
     along_line = ramp(np.abs(t), 1.12, 0.85)
     d = y - lash_height_mm(x)
     upper = np.where(d > 0.0, np.exp(-np.maximum(d, 0.0) / 3.2), 0.0)
-    step = ramp(d, -0.4, 0.4) * upper * 0.85
-    crease = bump(d + 0.4, 0.65) * 0.75
+    step = ramp(d, -0.6, 0.6) * upper * 0.85
+    crease = bump(d + 0.4, 0.85) * 0.65
     lower = bump(d + 3.0, 1.5) * 0.35
     h = (step - crease + lower) * along_line
     fold = y - fold_height_mm(x)
@@ -186,7 +186,7 @@ def add_lips(f: Array, p: Array) -> Array:
     )
     g = smooth_union(g, high, 9.0)
     g = smooth_union(g, low, 6.0)
-    h = -1.3 * bump(y - line, 0.75) * ramp(t, 1.08, 0.8)
+    h = -1.25 * bump(y - line, 0.95) * ramp(t, 1.08, 0.8)
     h -= 0.7 * bump(y - line, 2.2) * fade
     h += 0.45 * bump(y - upper, 0.9) * fade  # white roll
     h += 0.25 * bump(y - lower, 1.0) * fade

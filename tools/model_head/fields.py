@@ -29,7 +29,7 @@ def smooth_intersection(a: Array, b: Array, width_mm: float) -> Array:
 
 
 def smooth_subtraction(a: Array, b: Array, width_mm: float) -> Array:
-    """``a`` without ``b``, the rim rounded over about ``width_mm``."""
+    """Take ``b`` away from ``a``, the rim rounded over about ``width_mm``."""
     return -smooth_union(-a, b, width_mm)
 
 
@@ -75,12 +75,13 @@ def round_cone(
 def spline(knots: ArrayLike, samples: int, *, closed: bool = False) -> Array:
     """Sample a cubic spline through ``knots`` ``(K, D)`` at ``samples`` points ``(samples, D)``.
 
-    The parameter is the chord length, so that unevenly spaced knots do not overshoot.
+    The parameter is centripetal, so that unevenly spaced knots do not overshoot.
     """
     k = np.asarray(knots, dtype=np.float64)
     if closed:
         k = np.concatenate([k, k[:1]])
-    t = np.concatenate([[0.0], np.cumsum(np.sqrt(np.linalg.norm(np.diff(k[:, :3], axis=0), axis=1)))])
+    chord = np.linalg.norm(np.diff(k[:, :3], axis=0), axis=1)
+    t = np.concatenate([[0.0], np.cumsum(np.sqrt(chord))])
     curve = CubicSpline(t, k, bc_type="periodic" if closed else "natural")
     return np.asarray(curve(np.linspace(0.0, t[-1], samples, endpoint=not closed)))
 

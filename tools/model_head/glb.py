@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import struct
 from pathlib import Path
 
@@ -47,14 +46,13 @@ def write_glb(
         )
         blob += raw + b"\0" * (-len(raw) % 4)
     attributes = {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "_REGION": 3}
+    primitive = {"attributes": attributes, "indices": 4, "material": 0}
     tree = {
         "asset": {"version": "2.0", "generator": "skinshade tools/model_head"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": "head"}],
-        "meshes": [
-            {"name": "head", "primitives": [{"attributes": attributes, "indices": 4, "material": 0}]}
-        ],
+        "meshes": [{"name": "head", "primitives": [primitive]}],
         "materials": [
             {
                 "name": "skin",
@@ -78,5 +76,5 @@ def write_glb(
     path.parent.mkdir(parents=True, exist_ok=True)
     partial = path.with_name(path.name + ".partial")
     partial.write_bytes(out)
-    os.replace(partial, path)
+    partial.replace(path)
     return total

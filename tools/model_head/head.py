@@ -35,7 +35,7 @@ def _without_ears(p: Array) -> Array:
 
 
 def rest_of_head(points_mm: Array) -> Array:
-    """The head without its ears and without the cut at the shoulders."""
+    """Give the head without its ears and without the cut at the shoulders."""
     return _without_ears(points_mm - unevenness(points_mm))
 
 

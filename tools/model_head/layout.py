@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 from scipy.signal import fftconvolve
 
@@ -12,7 +13,7 @@ from .ear import to_ear
 from .fields import Array
 from .flatten import flatten
 from .mesh import Faces
-from .unwrap import BASE, HEAD, cut_up_the_back, label_faces, texel_scale, tutte
+from .unwrap import BASE, HEAD, close_holes, cut_up_the_back, label_faces, texel_scale, tutte
 
 EAR_SCALE = 1.35
 PADDING_TEXELS = 12.0  # at 2048 texels across
@@ -53,7 +54,7 @@ def _upright(p: Array, uv: Array, chart: int) -> Array:
     return np.asarray(turned - turned.min(axis=0))
 
 
-def _footprint(uv: Array, faces: Faces, cell: float) -> Array:
+def _footprint(uv: Array, faces: Faces, cell: float) -> NDArray[np.bool_]:
     """Cells touched by a chart, ``(rows, columns)``, bottom row first."""
     size = np.ceil(uv.max(axis=0) / cell).astype(int) + 1
     out = np.zeros((size[1], size[0]), dtype=bool)
@@ -78,7 +79,7 @@ def _pack(charts: list[tuple[Array, Faces]]) -> tuple[list[Array], float]:
         taken[pad:-pad, pad:-pad] = 0.0
         offsets = []
         for uv, faces in charts:
-            foot = np.pad(_footprint(uv, faces, cell), pad + 1)
+            foot: NDArray[np.bool_] = np.pad(_footprint(uv, faces, cell), pad + 1)
             for _ in range((pad + 2) // 2):
                 foot = binary_dilation(foot, ball)
             if foot.shape[0] > _GRID or foot.shape[1] > _GRID:
@@ -106,10 +107,12 @@ def unwrap(vertices: Array, faces: Faces) -> Unwrapped:
             local, again = cut_up_the_back(vertices[source], local)
             source = source[again]
         p = vertices[source]
-        scale = texel_scale(p[local].mean(axis=1)) if chart == HEAD else np.full(len(local), EAR_SCALE)
-        if chart == BASE:
-            scale = scale * (0.5 / EAR_SCALE)
-        flat = flatten(p, local, scale, tutte(local, len(p)), 80)
+        whole, closed = close_holes(p, local)
+        if chart == HEAD:
+            scale = texel_scale(whole[closed].mean(axis=1))
+        else:
+            scale = np.full(len(closed), 0.5 if chart == BASE else EAR_SCALE)
+        flat = flatten(whole, closed, scale, tutte(closed, len(whole)), 80)[: len(p)]
         pieces.append((chart, source, local, _upright(p, flat, chart)))
     offsets, side = _pack([(uv, local) for _, _, local, uv in pieces])
     first = np.cumsum([0] + [len(s) for _, s, _, _ in pieces])

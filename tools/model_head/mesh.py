@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import gpytoolbox
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +20,7 @@ Faces = NDArray[np.int64]
 
 
 def evaluate(field: Field, points_mm: Array) -> Array:
-    """The field at many points, in pieces that stay in cache."""
+    """Evaluate the field at many points, in pieces that stay in cache."""
     parts = [field(points_mm[i : i + _CHUNK]) for i in range(0, len(points_mm), _CHUNK)]
     return np.concatenate(parts)
 
@@ -44,7 +46,8 @@ def polygonise(field: Field, step_mm: float, *, block: int = 8) -> tuple[Array, 
     for i in range(0, len(corners), 64):
         at = (corners[i : i + 64, None, :] + inner[None]).reshape(-1, 3)
         volume[at[:, 0], at[:, 1], at[:, 2]] = evaluate(field, at * step_mm + LOW_MM)
-    vertices, faces, _, _ = marching_cubes(volume, 0.0)
+    cubes: Callable[..., tuple[Array, Faces, Array, Array]] = marching_cubes
+    vertices, faces, _, _ = cubes(volume, 0.0)
     return vertices.astype(np.float64) * step_mm + LOW_MM, faces.astype(np.int64)
 
 
@@ -64,7 +67,8 @@ def largest_component(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
     n = len(vertices)
     ones = np.ones(len(faces) * 2, dtype=np.int8)
     pairs = np.concatenate([faces[:, :2], faces[:, 1:]])
-    count, label = connected_components(csr_matrix((ones, (pairs[:, 0], pairs[:, 1])), shape=(n, n)))
+    graph = csr_matrix((ones, (pairs[:, 0], pairs[:, 1])), shape=(n, n))
+    count, label = connected_components(graph)
     if count == 1:
         return vertices, faces
     main = int(np.argmax(np.bincount(label)))
@@ -114,9 +118,9 @@ def remesh(
         # the remesher calls an edge too long beyond 4/3 of its target, hence the square root
         v, f = gpytoolbox.remesh_botsch(v, f, 3, length * scale, True, frozen)
         v = project(field, gradient, np.asarray(v), steps=1)
-    f = np.asarray(f, dtype=np.int64)
-    v = project(field, gradient, relax(v, f, field, gradient), steps=5)
-    return largest_component(v, f)
+    triangles = np.asarray(f, dtype=np.int64)
+    v = project(field, gradient, relax(v, triangles, field, gradient), steps=5)
+    return largest_component(v, triangles)
 
 
 def relax(v: Array, f: Faces, field: Field, gradient: Field, rounds: int = 3) -> Array:
@@ -128,7 +132,7 @@ def relax(v: Array, f: Faces, field: Field, gradient: Field, rounds: int = 3) ->
     degree = np.asarray(ring.sum(axis=1))
     for _ in range(rounds):
         normal = unit(evaluate(gradient, v))
-        pull = ring @ v / degree - v
+        pull = np.asarray(ring @ v) / degree - v
         pull -= np.sum(pull * normal, axis=1, keepdims=True) * normal
         v = project(field, gradient, v + 0.4 * pull, steps=1, reach_mm=0.3)
     return v

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from .ear import to_ear
+from .ear import ear
 from .face import lip_curves_mm
 from .fields import Array, along, ramp, spline
 from .head import head, unevenness
 from .mesh import evaluate
 
-_BROW = [(11.5, 17.5, 95, 4.6), (20, 20.6, 92, 4.8), (30, 23.4, 89, 4.4), (39, 24.6, 84, 3.4),
-         (47, 22.2, 77, 2.2), (53, 18.4, 68, 0.9)]
+_BROW = [(13.0, 18.0, 95, 3.7), (20, 20.4, 92, 4.4), (30, 23.2, 89, 4.0), (39, 24.6, 84, 3.1),
+         (47, 22.4, 77, 2.1), (53.5, 18.4, 68, 0.9)]
 
 
 def thickness_mm(p: Array, normals: Array, limit_mm: float = 12.0) -> Array:
@@ -41,11 +41,9 @@ def regions(p: Array, normals: Array) -> Array:
     def spot(centre: tuple[float, float, float], size: tuple[float, float, float]) -> Array:
         return np.asarray(np.exp(-0.5 * np.sum(((place - centre) / size) ** 2, axis=1)))
 
-    e = to_ear(q)
-    ear = ramp(e[:, 0], -6.0, 4.0) * ramp(np.abs(e[:, 1]), 38.0, 30.0) * ramp(e[:, 2], -22.0, -11.0)
-    ear = ear * ramp(x, 64.0, 71.0) * ramp(e[:, 2] + 0.4 * e[:, 0], -10.0, -2.0)
-    red = 0.55 * spot((44, -27, 68), (17, 15, 24)) + 0.65 * spot((0, -38, 108), (15, 9, 14))
-    red = red + 0.5 * spot((18, -42, 94), (5, 7, 8)) + 0.7 * ear
+    shell = ramp(ear(q), 5.0, 0.8)
+    red = 0.55 * spot((44, -27, 68), (17, 15, 24)) + 0.5 * spot((0, -38, 108), (15, 9, 14))
+    red = red + 0.5 * spot((18, -42, 94), (5, 7, 8)) + 0.7 * shell
     red = red + 0.3 * spot((0, -100, 92), (16, 9, 12))
     red = red + 0.35 * spot((32, 4, 76), (15, 8, 10))
     return np.clip(np.stack([lips, brow, thin, red], axis=1), 0.0, 1.0)

@@ -27,7 +27,7 @@ MIDLINE_MM = [
 ]
 
 # Half contours at a height y: (x, z) pairs from near the midline around to the back.
-CONTOURS_MM = {
+CONTOURS_MM: dict[int, list[tuple[float, float]]] = {
     110: [(12, 32), (24, 22), (31, 4), (33, -14), (28, -34), (15, -47)],
     98: [(18, 56), (34, 46), (45, 29), (51.5, 6), (53, -20), (43, -48), (22, -66)],
     80: [(20, 76), (37, 66), (49, 51), (58, 31), (64, 6), (66, -22), (58.5, -53), (39, -76)],
@@ -54,9 +54,9 @@ CONTOURS_MM = {
     -69: [(9, 95.3), (17, 91), (25, 84), (33.5, 75), (42, 62), (49, 48), (54.5, 34), (57.5, 19),
           (57, 5), (51, -10)],
     -85: [(9, 90.3), (19, 85.5), (28, 76), (36, 64), (43, 50), (49, 35), (52, 20), (49, 7)],
-    -99: [(8, 93.3), (15.5, 89.5), (23, 81.5), (30, 70.5), (36.5, 57), (41, 43.5), (42, 30),
+    -99: [(8, 93.3), (15.5, 89.5), (23, 81.5), (28.8, 70.3), (35.3, 57), (40.2, 43.5), (41.5, 30),
           (37, 16)],
-    -108: [(8, 91.5), (15, 87.5), (22.5, 79), (28.5, 67.5), (32, 54), (32, 40)],
+    -108: [(8, 91.5), (15, 87.5), (21.3, 79), (27, 67.5), (31, 54), (31.5, 40)],
     -114: [(7, 83.5), (13, 78.5), (17, 69), (17, 56)],
 }
 
@@ -94,7 +94,8 @@ def mask(p: Array) -> Array:
     azimuth = np.arctan2(q[:, 0], q[:, 2])
     elevation = np.arcsin(np.clip(q[:, 1] / np.maximum(radius, 1e-9), -1.0, 1.0))
     at = np.stack(
-        [(azimuth / (2 * np.pi) + 0.5) * (_STEPS[0] - 1), (elevation / np.pi + 0.5) * (_STEPS[1] - 1)]
+        [(azimuth / (2 * np.pi) + 0.5) * (_STEPS[0] - 1),
+         (elevation / np.pi + 0.5) * (_STEPS[1] - 1)]
     )
     table = map_coordinates(_radius_table_mm(), at, order=3, mode="nearest", prefilter=False)
     return np.asarray(radius - table)
@@ -137,7 +138,7 @@ def neck(p: Array) -> Array:
 
 
 def bust_cut(p: Array) -> Array:
-    """The body that the bust is cut out of: a bowl whose rim falls off below the shoulders."""
+    """Give the body that the bust is cut out of: a bowl whose rim falls off below the shoulders."""
     q = p.copy()
     q[:, 1] = np.minimum(p[:, 1], -60.0)
     return ellipsoid(q, (0, -60, -20), (118, 146, 160))

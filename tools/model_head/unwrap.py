@@ -8,6 +8,8 @@ that the face gets more texels.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
 from scipy.sparse.csgraph import connected_components, dijkstra
@@ -43,7 +45,7 @@ def label_faces(vertices: Array, faces: Faces) -> Faces:
 
     def soften(value: Array, rounds: int) -> Array:
         for _ in range(rounds):
-            value = 0.4 * value + 0.6 * (ring @ value) / 3.0
+            value = 0.4 * value + 0.2 * np.asarray(ring @ value)
         return value
 
     e = to_ear(middle)
@@ -93,7 +95,7 @@ def _in_one_piece(label: Faces, pairs: Faces) -> Faces:
 
 
 def boundary_loops(faces: Faces) -> list[Faces]:
-    """Closed chains of boundary vertices, longest first, following the faces' orientation."""
+    """Find closed chains of boundary vertices, longest first, oriented as the faces are."""
     half = faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     seen = {(int(a), int(b)) for a, b in half}
     follow: dict[int, list[int]] = {}
@@ -132,10 +134,12 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
     cost = np.linalg.norm(a - b, axis=1) * (1.0 + 0.15 * off + 1e3 * on_rim)
     n = len(vertices)
     graph = coo_matrix((cost, (edges[:, 0], edges[:, 1])), shape=(n, n)).tocsr()
-    _, before = dijkstra(graph, directed=False, indices=int(start), return_predecessors=True)
+    _, before = dijkstra(
+        graph, directed=False, indices=np.array([start]), return_predecessors=True
+    )
     path = [int(end)]
     while path[-1] != start:
-        path.append(int(before[path[-1]]))
+        path.append(int(before[0, path[-1]]))
     path.reverse()
     # Faces left of the path, walked around each path vertex, get copies of its vertices.
     new_faces = faces.copy()
@@ -144,7 +148,7 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
     for number, face in enumerate(faces):
         for v in face:
             around.setdefault(int(v), []).append(number)
-    on_path = {frozenset(e) for e in zip(path, path[1:], strict=False)}
+    on_path = {frozenset(e) for e in pairwise(path)}
     for k, v in enumerate(path[:-1]):
         fan = around[v]
         ahead = path[k + 1]
@@ -176,23 +180,37 @@ def texel_scale(p: Array) -> Array:
     return np.asarray(0.78 + 0.85 * front)
 
 
+def close_holes(p: Array, faces: Faces) -> tuple[Array, Faces]:
+    """Close all but the longest boundary by cones, so that no hole folds over in the flat chart.
+
+    The tip stands 12 mm off the hole's middle: the cone is larger than the hole, which keeps the
+    flat hole open wide enough for the padding.
+    """
+    tips, extra = [], []
+    for loop in boundary_loops(faces)[1:]:
+        middle = p[loop].mean(axis=0)
+        tips.append(middle + np.array([np.sign(middle[0]) * 12.0, 0.0, 0.0]))
+        hub = np.full(len(loop), len(p) + len(tips) - 1)
+        extra.append(np.stack([np.roll(loop, -1), loop, hub], axis=1))
+    if not extra:
+        return p, faces
+    return np.concatenate([p, np.array(tips)]), np.concatenate([faces, *extra])
+
+
 def tutte(faces: Faces, count: int) -> Array:
-    """Harmonic embedding ``(count, 2)`` in the unit circle, holes closed by fans."""
-    loops = boundary_loops(faces)
-    extra = []
-    hub = count
-    for loop in loops[1:]:
-        extra.append(np.stack([np.roll(loop, -1), loop, np.full(len(loop), hub)], axis=1))
-        hub += 1
-    full = np.concatenate([faces, *extra]) if extra else faces
-    i, j = full[:, [0, 1, 2]].ravel(), full[:, [1, 2, 0]].ravel()
-    links = csr_matrix((np.ones(len(i)), (i, j)), shape=(hub, hub))
-    links = ((links + links.T) > 0).astype(np.float64)
-    outer = loops[0]
+    """Harmonic embedding ``(count, 2)`` of a disc in the unit circle."""
+    i, j = faces[:, [0, 1, 2]].ravel(), faces[:, [1, 2, 0]].ravel()
+    pairs = np.unique(np.sort(np.stack([i, j], axis=1), axis=1), axis=0)
+    i, j = pairs.ravel(), pairs[:, ::-1].ravel()
+    links = csr_matrix((np.ones(len(i)), (i, j)), shape=(count, count))
+    outer = boundary_loops(faces)[0]
     angle = 2.0 * np.pi * np.arange(len(outer)) / len(outer)
-    uv = np.zeros((hub, 2))
+    uv = np.zeros((count, 2))
     uv[outer] = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    free = np.setdiff1d(np.arange(hub), outer)
-    lap = csr_matrix((np.asarray(links.sum(axis=1)).ravel(), (range(hub), range(hub)))) - links
-    uv[free] = spsolve(lap[free][:, free].tocsc(), -(lap[free][:, outer] @ uv[outer]))
-    return uv[:count]
+    free = np.setdiff1d(np.arange(count), outer)
+    degree = np.asarray(links.sum(axis=1)).ravel()
+    lap = csr_matrix((degree, (range(count), range(count)))) - links
+    uv[free] = np.asarray(
+        spsolve(lap[free][:, free].tocsc(), -(lap[free][:, outer] @ uv[outer]))
+    )
+    return uv

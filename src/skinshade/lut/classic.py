@@ -48,7 +48,7 @@ def classic_curvature_lut(
         x, weight = reach * nodes**3, 3.0 * reach * nodes**2 * gauss
         spread = _line_profile(profile.mixture, x) * weight[:, None]
         cosine = np.maximum(np.cos(theta[:, None] + x * curvature), 0.0)
-        light[y] = cosine @ spread / spread.sum(axis=0)
+        light[y] = cosine @ spread
     lit = np.maximum(n_dot_l, 0.0)[:, None]
     stored = np.rint(np.clip((light - lit) * 2.0 + 0.5, 0.0, 1.0) * 255.0) / 255.0
     values = (stored - 0.5) / 2.0 + lit

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
 
 from skinshade.scene.head_texels import TexelFrame
 
@@ -12,9 +13,16 @@ Int32 = NDArray[np.int32]
 
 # Closed lid line of the built-in head's left (+X) and right eye, millimetres, inner corner first.
 LASH_LINES_MM = (
-    ((16.9, -1.6, 77.0), (24.0, -4.6, 78.9), (31.5, -5.4, 78.2), (39.0, -4.0, 74.6), (46.0, 0, 67.5)),
-    ((-16.9, -1.6, 77.0), (-24.0, -4.6, 78.9), (-31.5, -5.4, 78.2), (-39.0, -4.0, 74.6),
-     (-46.0, 0, 67.5)),
+    (
+        (17.6, -3.2, 74.6), (21.3, -4.6, 76.0), (25.3, -5.7, 77.2),
+        (29.3, -6.2, 77.7), (33.3, -6.1, 77.5), (37.3, -5.4, 76.5),
+        (41.2, -4.0, 74.6), (44.2, -2.5, 72.0), (46.4, -1.1, 69.7),
+    ),
+    (
+        (-17.2, -2.6, 74.0), (-20.7, -4.0, 75.2), (-24.7, -5.0, 76.2),
+        (-28.7, -5.5, 76.7), (-32.7, -5.4, 76.3), (-36.7, -4.6, 75.3),
+        (-40.8, -3.1, 73.2), (-43.8, -1.6, 70.6), (-46.0, -0.1, 68.3),
+    ),
 )
 
 
@@ -79,7 +87,7 @@ def draw(
 ) -> None:
     """Lay strokes onto ``canvas`` ``(2 H, 2 W)`` in place, keeping the darker value.
 
-    ``path`` ``(steps, N, 2)`` and ``half_width_texels`` ``(N,)`` count texels of an ``(H, W)`` grid.
+    ``path`` ``(steps, N, 2)`` and ``half_width_texels`` ``(N,)`` count texels of ``(H, W)``.
     """
     size = canvas.shape[0]
     path, half_width_texels = path * 2.0, half_width_texels * 2.0
@@ -142,9 +150,11 @@ def eyebrows(
     p = points_mm[pick].astype(np.float64)
     roots = np.stack(np.divmod(index[pick], size), axis=1)
     out = np.clip((np.abs(p[:, 0]) - 11.0) / 40.0, 0.0, 1.0)
-    spine = 17.0 + 8.0 * np.sin(np.clip(out * 1.5, 0, 1.5)) * 0.9 - 5.5 * np.maximum(out - 0.62, 0) ** 1.2
-    above = np.clip((p[:, 1] - spine) / 4.5, -1.0, 1.0)
-    angle = np.radians(82.0 - 105.0 * out**0.6 - 22.0 * above * (out > 0.15) + rng.normal(0, 8, count))
+    spine = 17.0 + 7.2 * np.sin(np.clip(out * 1.5, 0, 1.5)) - 5.5 * np.maximum(out - 0.62, 0) ** 1.2
+    # the left brow sits half a millimetre lower than the right one
+    above = np.clip((p[:, 1] + 0.5 * np.sign(p[:, 0]) - spine) / 4.5, -1.0, 1.0)
+    angle_deg = 82.0 - 105.0 * out**0.6 - 22.0 * above * (out > 0.15)
+    angle = np.radians(angle_deg + rng.normal(0.0, 8.0, count))
     side = np.sign(p[:, 0])
     heading = np.stack([side * np.cos(angle), np.sin(angle), -0.35 * out], axis=1)
     bend = np.stack([side * 0.5, -0.35 - 0.3 * above, -0.3 * np.ones(count)], axis=1)
@@ -194,7 +204,9 @@ def lashes(
         line_mm = np.column_stack([np.interp(dense, np.arange(len(knots)), k) for k in knots.T])
         pick = near[[int(np.argmin(np.sum((gap - w) ** 2, axis=1))) for w in line_mm]]
         row, column = np.divmod(index[pick], size)
-        off = np.einsum("nij,nj->ni", frame.to_texels[owner[row, column]], line_mm - points_mm[pick])
-        follow = np.column_stack([column + off[:, 0], row - off[:, 1]])[:, None]
+        missed_mm = line_mm - points_mm[pick]
+        off = np.einsum("nij,nj->ni", frame.to_texels[owner[row, column]], missed_mm)
+        follow = np.column_stack([column + off[:, 0], row - off[:, 1]])
+        follow = gaussian_filter1d(follow, 3.0, axis=0, mode="nearest")[:, None]
         draw(canvas, follow, np.ones((80, 1)), np.array([0.24 / float(texel.mean())]),
              np.array([0.7]), taper=False)

@@ -27,8 +27,8 @@ from skinshade.scene.head_texels import TexelFrame, Texels, rasterise, spread, t
 Float32 = NDArray[np.float32]
 
 _EDGE_TEXELS = 14
-_CELL_SAMPLES = 77
-_CELLS_ACROSS = 7
+_CELL_SAMPLES = 64
+_CELLS_ACROSS = 6
 
 # Where the shaved hair begins: depths z and the heights y of the hairline there, millimetres.
 _HAIRLINE_MM = ((-100, -65, -38, -14, 14, 24, 48, 64, 80), (-52, -48, -28, 24, 14, 24, 50, 68, 76))
@@ -172,14 +172,15 @@ def _colours(s: _Skin, rng: np.random.Generator, noise: Float32) -> tuple[Float3
     under_eye = _spot(p, (29, -11, 74), (11, 4.5, 9))
     lid = _spot(p, (31, 3, 77), (12, 7, 8))
     neck = _ramp(p[:, 1], -108.0, -135.0)
-    beard = _ramp(p[:, 1], -44.0, -60.0) * _ramp(p[:, 2], 5.0, 30.0) * _ramp(p[:, 1], -128.0, -104.0)
+    beard = _ramp(p[:, 1], -44.0, -60.0) * _ramp(p[:, 1], -128.0, -104.0)
+    beard *= _ramp(p[:, 2], 5.0, 30.0)
     beard *= 1.0 - 0.75 * _spot(p, (30, -52, 80), (11, 13, 20))
     beard *= 1.0 - s.lips
 
     blood = 0.80 * s.red - 0.10 + 0.06 * coarse + 0.07 * medium * (0.7 + s.red) + 0.055 * fine
     blood += 0.22 * lid + 0.22 * under_eye - 0.10 * forehead - 0.10 * scalp + 0.05 * neck
     melanin = 0.030 * coarse + 0.025 * medium + 0.030 * fine + 0.018 * finest
-    melanin += 0.22 * s.brow + 0.04 * forehead + 0.03 * scalp + 0.02 * neck + 0.06 * under_eye
+    melanin += 0.16 * s.brow + 0.04 * forehead + 0.03 * scalp + 0.02 * neck + 0.06 * under_eye
     # freckles: the peaks of a fine noise, where a coarse one lets them
     freckles = _ramp(fine + 0.35 * finest, 2.05, 2.6) * _ramp(coarse + 1.6 * s.red, 0.1, 1.5)
     melanin += 0.22 * freckles * (1.0 - s.lips)
@@ -188,7 +189,7 @@ def _colours(s: _Skin, rng: np.random.Generator, noise: Float32) -> tuple[Float3
         radius = float(rng.uniform(0.5, 1.35))
         gap = np.sqrt(np.sum((p - place) ** 2, axis=1)) + 0.15 * finest
         melanin += float(rng.uniform(0.5, 0.95)) * _ramp(gap, radius * 1.35, radius * 0.6)
-    yellow = 0.40 * forehead + 0.15 * scalp + 0.15 * neck + 0.30 * under_eye + 0.08 * coarse
+    yellow = 0.28 * forehead + 0.15 * scalp + 0.15 * neck + 0.30 * under_eye + 0.08 * coarse
     stubble = 0.8 + 0.14 * fine + 0.12 * finest
     blue = 0.50 * under_eye + 0.55 * beard * stubble + 0.55 * scalp * stubble
     blue += 0.35 * _spot(p, (15, 4, 78), (4.0, 8, 7))
@@ -206,9 +207,11 @@ def _colours(s: _Skin, rng: np.random.Generator, noise: Float32) -> tuple[Float3
     cartilage = np.array([0.98, 0.42, 0.24], dtype=np.float32)
     deep[:] = warm
     deep += (0.75 * s.thin)[:, None] * (cartilage - warm)
-    deep *= (1.0 - 0.35 * veins)[:, None] * np.exp(-veins[:, None] * np.array([0.0, 0.5, 0.3], np.float32))
+    deep *= np.exp(-veins[:, None] * np.array([0.43, 0.93, 0.73], dtype=np.float32))
     deep *= np.exp(0.06 * medium + 0.05 * fine)[:, None]
-    return np.clip(albedo, 0.0, 1.0).astype(np.float32), np.clip(deep, 0.0, 1.0).astype(np.float32)
+    np.clip(albedo, 0.0, 1.0, out=albedo)
+    np.clip(deep, 0.0, 1.0, out=deep)
+    return albedo.astype(np.float32), deep.astype(np.float32)
 
 
 def _gloss(s: _Skin, noise: Float32) -> Float32:
@@ -217,7 +220,8 @@ def _gloss(s: _Skin, noise: Float32) -> Float32:
     medium = sample_smooth(noise, p + 143.0, 9.0)
     fine = sample_smooth(noise, p - 91.0, 2.0)
     oil = 0.85 * _spot(p, (0, -30, 106), (13, 26, 18)) + 0.6 * _spot(p, (0, 45, 93), (30, 24, 18))
-    oil = oil + 0.35 * _spot(p, (0, -101, 93), (14, 9, 12)) + 0.3 * _spot(p, (44, -20, 68), (12, 9, 16))
+    oil = oil + 0.35 * _spot(p, (0, -101, 93), (14, 9, 12))
+    oil = oil + 0.3 * _spot(p, (44, -20, 68), (12, 9, 16))
     oil = np.minimum(oil + 0.35 * _spot(p, (31, 2, 78), (12, 8, 8)), 1.0)
     dry = np.maximum(_ramp(p[:, 1], -104.0, -130.0), 0.8 * _ramp(np.abs(p[:, 0]), 68.0, 78.0))
     scale = 1.0 + 0.28 * oil - 0.25 * dry + 0.06 * medium + 0.05 * fine
@@ -225,7 +229,8 @@ def _gloss(s: _Skin, noise: Float32) -> Float32:
     wet = _ramp(s.lips, 0.3, 0.9)
     scale += wet * (1.35 + 0.08 * fine - scale)
     gloss += wet * (0.46 + 0.015 * fine - gloss)
-    return np.stack([np.clip(scale, 0.3, 2.0), np.clip(gloss, 0.05, 0.95)], axis=1).astype(np.float32)
+    both = np.stack([np.clip(scale, 0.3, 2.0), np.clip(gloss, 0.05, 0.95)], axis=1)
+    return np.asarray(both, dtype=np.float32)
 
 
 def _strengths(s: _Skin, noise: Float32) -> tuple[Float32, Float32]:
@@ -250,8 +255,9 @@ def _strengths(s: _Skin, noise: Float32) -> tuple[Float32, Float32]:
         broad -= depth * there * np.exp(-0.5 * ((y - height) / 0.75) ** 2)
     # folds of the lower lids and beside the eyes
     under = p[:, 1] + 0.5 * coarse + 12.0 - 0.012 * (np.abs(p[:, 0]) - 28.0) ** 2
+    folds = 0.05 * _spot(p, (30, -10, 75), (10, 5, 9))
     for height in (0.0, 2.6):
-        broad -= 0.05 * _spot(p, (30, -10, 75), (10, 5, 9)) * np.exp(-0.5 * ((under - height) / 0.5) ** 2)
+        broad -= folds * np.exp(-0.5 * ((under - height) / 0.5) ** 2)
     return np.stack([pores, furrows], axis=1).astype(np.float32), broad.astype(np.float32)
 
 
@@ -276,7 +282,8 @@ def _relief_mm(
     lip = _ramp(broad[:, 1], 0.2, 0.7)
     on = np.flatnonzero(lip > 0.05)
     stretched = p[on] * np.array([1.0, 0.16, 0.10], dtype=np.float32)
-    crease = sample_smooth(noise, stretched, 1.25) + 0.6 * sample_smooth(noise, stretched + 9.0, 0.75)
+    crease = sample_smooth(noise, stretched, 1.25)
+    crease += 0.6 * sample_smooth(noise, stretched + 9.0, 0.75)
     height[on] -= np.float32(0.055) * lip[on] * np.maximum(np.abs(crease) * -0.9 + 0.8, 0.0)
     return height
 

@@ -1,7 +1,7 @@
 """Periodic noise volumes that the built-in head's maps are read from.
 
 Everything is evaluated at positions in space, so that a pattern runs on across the seams of a
-texture.  Volumes are small and repeat; slices through them along a curved skin do not look periodic.
+texture.  Volumes are small and repeat; slices through them along a curved skin look aperiodic.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def sample_smooth(volume: Float32, points_mm: Float32, feature_mm: float) -> Flo
 
 
 def cellular_volume(
-    rng: np.random.Generator, samples: int = 112, across: int = 10
+    rng: np.random.Generator, samples: int, across: int
 ) -> tuple[Float32, Float32]:
     """Distances to the first and the gap to the second of scattered points, periodic.
 
@@ -47,19 +47,26 @@ def cellular_volume(
     tree = cKDTree(seeds, boxsize=np.full(3, float(across)))
     axis = (np.arange(samples) + 0.5) * (across / samples)
     grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
-    near, _ = tree.query(grid, k=2, eps=0.0)
+    near = np.asarray(tree.query(grid, k=2)[0])
     return near[:, 0].astype(np.float32), (near[:, 1] - near[:, 0]).astype(np.float32)
 
 
 def sample_cells(
     points_mm: Float32, spacing_mm: float, samples: int, across: int
 ) -> NDArray[np.int32]:
-    """Flat indices ``(N,)`` into a cellular volume scaled to a point spacing of ``spacing_mm``."""
+    """Flat indices ``(N,)`` into a cellular volume scaled to a point spacing of ``spacing_mm``.
+
+    ``samples`` is a power of two.
+    """
     step = np.float32(samples / across / spacing_mm)
     # an irrational turn keeps the lattice off the axes of the head
     turn = np.array(
         [[0.684, -0.518, 0.514], [0.730, 0.484, -0.483], [0.002, 0.705, 0.709]], dtype=np.float32
     )
-    at = np.floor(points_mm @ (turn * step)).astype(np.int32)
-    at %= samples
-    return np.asarray((at[:, 0] * samples + at[:, 1]) * samples + at[:, 2], dtype=np.int32)
+    turn *= step
+    out = np.zeros(len(points_mm), dtype=np.int32)
+    for k in range(3):
+        at = points_mm @ turn[:, k]
+        out *= samples
+        out += np.floor(at, out=at).astype(np.int32) & (samples - 1)
+    return out

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +69,7 @@ def rasterise(uvs: Float32, faces: Int32, size: int) -> Texels:
     order = np.argsort(shape, kind="stable")
     order = order[usable[order]]
     groups = np.flatnonzero(np.diff(shape[order], prepend=-1, append=-1))
-    for start, stop in zip(groups[:-1], groups[1:], strict=True):
+    for start, stop in pairwise(groups):
         # triangles whose boxes have the same width and height, walked as one block
         batch = order[start:stop]
         columns, rows = (int(n) for n in span[batch[0]])
@@ -116,10 +117,10 @@ def spread(covered: NDArray[np.bool_], rings: int) -> tuple[Int32, Int32]:
         target.append(new)
         source.append(of)
         frontier, origin = new, of
-    out = []
-    for part in (np.concatenate(target), np.concatenate(source)):
-        out.append(((part // stride - 1) * width + part % stride - 1).astype(np.int32))
-    return out[0], out[1]
+    to, of = np.concatenate(target), np.concatenate(source)
+    to = (to // stride - 1) * width + to % stride - 1
+    of = (of // stride - 1) * width + of % stride - 1
+    return to.astype(np.int32), of.astype(np.int32)
 
 
 @dataclass(frozen=True)
@@ -129,7 +130,7 @@ class TexelFrame:
     With the unit tangent T along +u and the unit bitangent B = N x T (up in the picture, where the
     charts are not mirrored): a step of one texel along +u is ``right_mm`` T, a step of one texel up
     is ``shear_mm`` T + ``up_mm`` B.  ``steps_mm`` ``(F, 2, 3)`` are these two steps in space, and
-    ``to_texels`` ``(F, 2, 3)`` takes a displacement on the skin in millimetres to (right, up) texels.
+    ``to_texels`` ``(F, 2, 3)`` takes a displacement on the skin, in mm, to (right, up) texels.
     """
 
     right_mm: Float32

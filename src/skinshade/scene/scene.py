@@ -16,6 +16,7 @@ from .._core.errors import SceneFileError, SkinshadeError
 from .._core.files import existing_file
 from ..mesh import Mesh, load_mesh
 from ..params import SkinParams
+from ..profile import Profile
 from ..shading.specular import gloss_from_roughness
 from ..shading.tonemap import ToneMap
 from .camera import Camera
@@ -107,10 +108,11 @@ def _scene(record: Mapping[str, Any], file: Path, light: str) -> Scene:
     textures = record.get("textures", {})
     if "V runs UP" in str(record["mesh"].get("uv_note", "")) or record["mesh"].get("flip_v", False):
         mesh = mesh.with_uvs_flipped()
-    material = Material(params=_skin_params(record.get("materials", {})))
+    material = Material()
     if "color" in textures:
         picture = read_linear(_resolved(file, _first_word(textures["color"])))
         material = replace(material, albedo=picture)
+    material = _with_skin(material, record.get("materials", {}))
     if "normal" in textures:
         normal = read_normal_map(_resolved(file, _first_word(textures["normal"])))
         material = replace(material, normal=normal)
@@ -151,15 +153,26 @@ def _environment(record: Mapping[str, Any], file: Path) -> Environment | None:
     )
 
 
-def _skin_params(materials: Mapping[str, Any]) -> SkinParams:
+def _with_skin(material: Material, materials: Mapping[str, Any]) -> Material:
+    """Take profile and gloss from the first material that has a radius.
+
+    ``radius_mm`` is a diffuse mean free path, as path tracers with a skin closure take it: its walk has
+    the mean free path at which diffusion theory gives that length.
+    """
     for record in materials.values():
-        if "roughness" in record:
-            ior = float(record.get("ior", 1.4))
-            return SkinParams(
-                gloss=float(gloss_from_roughness(float(record["roughness"]))),
-                reflectance=((ior - 1.0) / (ior + 1.0)) ** 2,
-            )
-    return SkinParams()
+        if "radius_mm" not in record:
+            continue
+        ior = float(record.get("ior", 1.4))
+        params = SkinParams(
+            gloss=float(gloss_from_roughness(float(record.get("roughness", 0.5)))),
+            reflectance=((ior - 1.0) / (ior + 1.0)) ** 2,
+        )
+        albedo = material.albedo.reshape(-1, 3).mean(axis=0, dtype=np.float64)
+        profile = Profile.burley(
+            length_mm=record["radius_mm"], kind="diffuse-mean-free-path", albedo=albedo
+        )
+        return replace(material, profile=profile, params=params)
+    return material
 
 
 def _resolved(file: Path, name: str) -> Path:

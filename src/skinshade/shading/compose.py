@@ -196,6 +196,8 @@ class Ambient:
         (9, 3).
     visibility
         (N, 3) share that arrives.
+    bounced
+        (N, 3) irradiance over π from the body's own lit parts where they hide the surroundings.
     through
         (N, 3) irradiance over π that arrives through the body, or None.
     reflected
@@ -204,6 +206,7 @@ class Ambient:
 
     radiance_sh: FloatArray
     visibility: FloatArray
+    bounced: FloatArray
     reflected: FloatArray
     through: FloatArray | None = None
 
@@ -220,7 +223,7 @@ def shade(
     zero = np.zeros_like(surface.albedo)
     terms = dict.fromkeys(TERMS, zero)
     direct_of = {"lambert": _lambert, "classic": _classic, "transfer": _transfer(tier)}[mode]
-    seen = _seen_normals(skin, surface, mode, tier)
+    seen = _seen_normals(skin, surface, mode)
     for light in lights:
         for name, value in direct_of(skin, surface, seen, light).items():
             terms[name] = terms[name] + value * light.radiance
@@ -231,30 +234,16 @@ def shade(
     return terms
 
 
-@dataclass(frozen=True)
-class _Seen:
-    """The normal that each channel sees, and the length that relief alone left it."""
-
-    normals: FloatArray
-    relief_length: FloatArray
-
-
-def _seen_normals(skin: Skin, surface: Surface, mode: ShadingMode, tier: Tier) -> _Seen:
+def _seen_normals(skin: Skin, surface: Surface, mode: ShadingMode) -> FloatArray:
+    """The normal that each channel sees in its map, (N, 3 channels, 3)."""
     if mode == "lambert":
-        sharp = np.repeat(surface.sharp[:, None], 3, axis=1)
-        return _Seen(sharp, np.ones(sharp.shape[:2]))
+        return np.repeat(surface.sharp[:, None], 3, axis=1)
     if mode == "classic":
-        three = classic.ambient_normals(surface.sharp, surface.blurred)
-        return _Seen(three, np.ones(three.shape[:2]))
-    from_texture = normals.blend_normals(surface.fetched, skin.blend)
-    relief = np.sqrt(dot(from_texture, from_texture))
-    if tier == "diffused-normals" and surface.diffused_normals is not None:
-        both = normals.add_mesh_diffusion(from_texture, surface.diffused_normals, surface.mesh_normal)
-        return _Seen(both, relief)
-    return _Seen(from_texture, relief)
+        return classic.ambient_normals(surface.sharp, surface.blurred)
+    return normals.blend_normals(surface.fetched, skin.blend)
 
 
-def _lambert(skin: Skin, surface: Surface, seen: _Seen, light: Incident) -> dict[str, FloatArray]:
+def _lambert(skin: Skin, surface: Surface, seen: FloatArray, light: Incident) -> dict[str, FloatArray]:
     lit = shadow.sharpened_shadow(light.shadow_filter, skin.params.shadow_sharpening)
     cosine = np.maximum(dot(surface.sharp, light.to_light), 0.0)
     return {
@@ -263,7 +252,7 @@ def _lambert(skin: Skin, surface: Surface, seen: _Seen, light: Incident) -> dict
     }
 
 
-def _classic(skin: Skin, surface: Surface, seen: _Seen, light: Incident) -> dict[str, FloatArray]:
+def _classic(skin: Skin, surface: Surface, seen: FloatArray, light: Incident) -> dict[str, FloatArray]:
     params = skin.params
     n_dot_l = dot(surface.mesh_normal, light.to_light)
     diffuse = classic.direct(
@@ -291,9 +280,9 @@ def _classic(skin: Skin, surface: Surface, seen: _Seen, light: Incident) -> dict
 
 def _transfer(
     tier: Tier,
-) -> Callable[[Skin, Surface, _Seen, Incident], dict[str, FloatArray]]:
+) -> Callable[[Skin, Surface, FloatArray, Incident], dict[str, FloatArray]]:
     def terms(
-        skin: Skin, surface: Surface, seen: _Seen, light: Incident
+        skin: Skin, surface: Surface, seen: FloatArray, light: Incident
     ) -> dict[str, FloatArray]:
         params = skin.params
         n_dot_l = dot(surface.mesh_normal, light.to_light)
@@ -322,35 +311,31 @@ def _transfer(
 
 
 def _diffused(
-    skin: Skin, surface: Surface, seen: _Seen, light: Incident, tier: Tier
+    skin: Skin, surface: Surface, seen: FloatArray, light: Incident, tier: Tier
 ) -> FloatArray:
     gain = energy_gain(
         skin.profile.albedo, skin.profile.rms_radius_mm, surface.curvature_per_mm
     )
     if tier == "scalar" or surface.tensor_world is None:
         return direct.direct_scalar(
-            skin.sphere, seen.normals, light.to_light, surface.curvature_per_mm, gain
+            skin.sphere, seen, light.to_light, surface.curvature_per_mm, gain
         )
     directional, total = direct.directional_curvature(
         surface.tensor_world, surface.mesh_normal, light.to_light
     )
     if tier == "tensor" or surface.diffused_normals is None:
         return direct.direct_tensor(
-            skin.ring, skin.transfer, seen.normals, light.to_light, directional, total, gain
+            skin.ring, skin.transfer, seen, light.to_light, directional, total, gain
         )
+    both = normals.add_mesh_diffusion(seen, surface.diffused_normals, surface.mesh_normal)
+    relief = direct.unexplained_length(skin.transfer, seen, surface.diffused_normals, total)
     return direct.direct_diffused_normals(
-        skin.ring,
-        skin.transfer,
-        seen.normals,
-        seen.relief_length,
-        light.to_light,
-        directional,
-        gain,
+        skin.ring, skin.transfer, both, relief, light.to_light, directional, gain
     )
 
 
 def _ambient(
-    skin: Skin, surface: Surface, seen: _Seen, surroundings: Ambient, mode: ShadingMode
+    skin: Skin, surface: Surface, seen: FloatArray, surroundings: Ambient, mode: ShadingMode
 ) -> dict[str, FloatArray]:
     bands = None
     if mode == "transfer":
@@ -359,15 +344,14 @@ def _ambient(
         )
         k = np.sqrt(np.array([0.0, 2.0, 6.0])) * np.abs(surface.curvature_per_mm)[:, None]
         bands = skin.transfer(k) * gain[:, None, :]
-    irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, seen.normals, bands)
-    filled = ambient.bounced_visibility(surroundings.visibility, surface.albedo)
+    irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, seen, bands)
     n_dot_v = dot(surface.sharp, surface.view)
     open_to = ambient.specular_visibility(
         n_dot_v, surroundings.visibility.mean(axis=1), 1.0 - surface.gloss
     )
     fresnel = specular.ambient_specular_fresnel(n_dot_v, surface.gloss, surface.reflectance)
     terms = {
-        "ambient": irradiance * filled,
+        "ambient": irradiance * surroundings.visibility + surroundings.bounced,
         "ambient_specular": surroundings.reflected * (fresnel * open_to)[:, None],
     }
     if mode == "transfer" and surroundings.through is not None:

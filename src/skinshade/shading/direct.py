@@ -16,6 +16,7 @@ __all__ = [
     "direct_tensor",
     "directional_curvature",
     "relief_bump",
+    "unexplained_length",
 ]
 
 Transfer = Callable[[FloatArray], FloatArray]
@@ -100,11 +101,38 @@ def direct_diffused_normals(
     normals
         (..., 3 channels, 3) of `skinshade.shading.normals.add_mesh_diffusion`.
     relief_length
-        (..., 3) length of the texture's part alone, whose shortfall is relief that was blurred away.
+        (..., 3) of `unexplained_length`: relief that neither table nor tensor knows of.
     """
     length, cos_theta = _polar(normals, light)
-    diffused = _table(lut, cos_theta, directional_per_mm) / transfer(directional_per_mm)
-    return gain * (length * diffused + _lost_relief(relief_length, cos_theta))
+    # On any smooth body |N_c| ≤ T_c(κ_d); more is a tensor that the mesh does not resolve.
+    share = np.minimum(length / np.maximum(transfer(directional_per_mm), 1e-6), 1.0)
+    diffused = _table(lut, cos_theta, directional_per_mm) * share
+    return gain * (diffused + _lost_relief(relief_length, cos_theta))
+
+
+def unexplained_length(
+    transfer: Transfer,
+    from_texture: FloatArray,
+    from_mesh: FloatArray,
+    total_per_mm: FloatArray,
+) -> FloatArray:
+    """Return the length (..., 3) that the normals lost to relief, in the texture and in the mesh.
+
+    A body whose curvature is constant within the mean free path has |N_c| = T_c(|S|): sphere and
+    cylinder exactly. What a fold loses beyond that is relief too, whatever carries it.
+
+    Parameters
+    ----------
+    transfer
+        The profile's.
+    from_texture, from_mesh
+        (..., 3 channels, 3) unnormalised normals of the map, and of the mesh diffused.
+    total_per_mm
+        (...) |S| of `directional_curvature`, 1/mm.
+    """
+    texture = np.sqrt(dot(from_texture, from_texture))
+    mesh = np.sqrt(dot(from_mesh, from_mesh))
+    return texture * np.minimum(mesh / np.maximum(transfer(total_per_mm), 1e-6), 1.0)
 
 
 def directional_curvature(

@@ -9,6 +9,7 @@ from .._core.arrays import FloatArray, dot, unit_vectors
 __all__ = [
     "ambient_specular_fresnel",
     "gloss_from_roughness",
+    "gloss_of_relief",
     "reflected",
     "specular",
     "specular_power",
@@ -24,6 +25,23 @@ SHARPEST_POWER = 2.0**POWER_OCTAVES
 def specular_power(gloss: FloatArray) -> FloatArray:
     """Return the Blinn-Phong power 2^(13·gloss) of gloss 0..1."""
     result: FloatArray = np.exp2(POWER_OCTAVES * gloss)
+    return result
+
+
+def gloss_of_relief(gloss: FloatArray, normal_length: FloatArray) -> FloatArray:
+    """Return the gloss (...) widened by relief that a mip level has averaged away [Toksvig2005].
+
+    Parameters
+    ----------
+    gloss
+        (...) 0..1.
+    normal_length
+        (...) of the averaged normal, 0..1: the shorter, the more the normals within it spread.
+    """
+    length = np.clip(normal_length, 1e-3, 1.0)
+    power = specular_power(gloss)
+    widened = length * power / (length + power * (1.0 - length))
+    result: FloatArray = np.log2(np.maximum(widened, 1.0)) / POWER_OCTAVES
     return result
 
 

@@ -66,6 +66,7 @@ def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geomet
     if sky is not None:
         columns["visibility"] = sky.visibility
         columns["through"] = sky.through
+        columns["bounced"] = sky.bounced
     ends = np.cumsum([column.shape[1] for column in columns.values()])
     starts = np.concatenate([[0], ends[:-1]])
     slices = {

@@ -93,8 +93,9 @@ class CpuRenderer:
         return sky_light(
             self.scene.mesh,
             self.scene.environment,
-            self.skin.profile.albedo,
-            self.skin.sigma_per_mm,
+            self._shadow_maps,
+            self.skin,
+            self.scene.material.albedo.reshape(-1, 3).mean(axis=0),
             self._progress,
         )
 
@@ -175,10 +176,12 @@ class CpuRenderer:
             self.scene.material.albedo.reshape(1, 3).astype(np.float64), ones.size, axis=0
         )
         tint = fetch("deep_scatter") if "deep_scatter" in self._textures else np.ones((ones.size, 3))
+        fetched = self._fetched_normals(columns, normal, uv, along_x, along_y)
+        gloss = specular.gloss_of_relief(gloss, np.sqrt(dot(fetched[:, 0], fetched[:, 0])))
         return Surface(
             view=unit_vectors(camera.position_mm - columns["position"]),
             mesh_normal=normal,
-            fetched=self._fetched_normals(columns, normal, uv, along_x, along_y),
+            fetched=fetched,
             curvature_per_mm=columns["curvature"][:, 0],
             albedo=albedo,
             gloss=gloss,
@@ -226,7 +229,10 @@ class CpuRenderer:
         lit = np.flatnonzero(cosine > DARK_BEYOND)
         shadow_filter = np.zeros(cosine.size)
         shadow_filter[lit] = shadow_map.shadow_filter(
-            position[lit], normal[lit], params.shadow_filter_width_mm
+            position[lit],
+            normal[lit],
+            surface.curvature_per_mm[lit],
+            params.shadow_filter_width_mm,
         )
         thickness = None
         if settings.deep_scatter_taps and settings.shading != "lambert":
@@ -249,7 +255,9 @@ class CpuRenderer:
             return None
         through = columns["through"] if settings.deep_scatter_taps else None
         reflected = _two_lobes(environment, surface)
-        return Ambient(environment.radiance_sh, columns["visibility"], reflected, through)
+        return Ambient(
+            environment.radiance_sh, columns["visibility"], columns["bounced"], reflected, through
+        )
 
     def _background(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
         environment = self.scene.environment

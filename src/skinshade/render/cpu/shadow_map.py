@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.ndimage import maximum_filter, minimum_filter
@@ -17,11 +17,17 @@ __all__ = ["ShadowMap", "render_shadow_map"]
 
 MAP_SIZE = 1024
 FILTER_TAPS = 48
-STEEPEST_SLOPE = 4.0
+STEEPEST_SLOPE = 8.0
 """Receivers are treated as planes no steeper than this against the light."""
 BIAS_MM = 0.4
-AWAY_BIAS = 0.5
-"""Bias in filter widths where the surface faces away: there only other parts may shadow it."""
+SAGITTA_FACTOR = 4.0
+"""A convex surface that faces away bends towards the light within the filter's radius r, by ½κr² and
+more where it is steep; that many times as much is not taken for another part's shadow."""
+ATTACHED_MM = 4.0
+"""A hollow of a face rises this much above the plane of a receiver within the filter; what is nearer
+to the light by more, or has a far side before the receiver, is another part that casts a shadow."""
+TERMINATOR = 0.15
+"""N·L below which the map of what faces away takes over from the map of what is nearest."""
 
 
 @dataclass(frozen=True)
@@ -36,44 +42,93 @@ class ShadowMap:
         (S, S) the nearest surface; infinite where there is none.
     away
         (S, S) the nearest surface that faces away from the light.
+    occluders
+        (S, S) what shadows a surface that faces the light: `away`, or `first` and `ATTACHED_MM`.
     """
 
     view: FloatArray
     projection: FloatArray
     first: FloatArray
     away: FloatArray
+    occluders: FloatArray
+    cache: dict[tuple[bool, int], tuple[FloatArray, FloatArray]] = field(default_factory=dict)
 
     def shadow_filter(
-        self, position_mm: FloatArray, normal: FloatArray, width_mm: float
+        self,
+        position_mm: FloatArray,
+        normal: FloatArray,
+        curvature_per_mm: FloatArray,
+        width_mm: float,
     ) -> FloatArray:
         """Return the share (N,) of a disk across the light that is lit.
 
         The disk's weight is a hemisphere, √(1−r²), whose transfer across a straight edge is exactly
         the smoothstep that the shadow table inverts. Receivers are planes, so that a slope does not
-        shadow itself.
+        shadow itself. Past the terminator a body hides itself from the light, which is not a shadow
+        but what the curvature table describes: there only surfaces that face away count.
         """
-        x, y, depth, texel_mm = self._locate(position_mm)
-        slope_x, slope_y, facing = self._slopes(normal)
-        bias = np.where(facing > 0.0, BIAS_MM, AWAY_BIAS * width_mm)
-        radius = 0.5 * width_mm / texel_mm
-        reach = int(np.ceil(radius.max())) + 1
-        nearest = minimum_filter(self.away, size=2 * reach + 1, mode="constant", cval=np.inf)
-        lit = np.ones(depth.size)
-        margin = np.hypot(slope_x, slope_y) * 0.5 * width_mm
-        column = np.clip(x.astype(np.int64), 0, MAP_SIZE - 1)
-        row = np.clip(y.astype(np.int64), 0, MAP_SIZE - 1)
-        near = np.flatnonzero(nearest[row, column] < depth + margin - bias)
-        farthest = maximum_filter(self.away, size=2 * reach + 1, mode="constant", cval=np.inf)
-        hidden = farthest[row[near], column[near]] < (depth - margin - bias)[near]
-        lit[near[hidden]] = 0.0
-        edge = near[~hidden]
-        lit[edge] = 0.0
-        for dx, dy in _hemisphere_disk(FILTER_TAPS):
-            across, down = dx * radius[edge], dy * radius[edge]
-            rise = (slope_x[edge] * across + slope_y[edge] * down) * texel_mm[edge]
-            lit[edge] += self._compared(x[edge] + across, y[edge] + down, (depth - bias)[edge] + rise)
-        lit[edge] /= FILTER_TAPS
+        slopes = self._slopes(normal)
+        facing = slopes[2]
+        lit = np.zeros(facing.size)
+        towards = np.flatnonzero(facing > 0.0)
+        lit[towards] = self._filtered(
+            self.occluders,
+            position_mm[towards],
+            (slopes[0][towards], slopes[1][towards]),
+            np.full(towards.size, BIAS_MM),
+            width_mm,
+        )
+        away = np.flatnonzero(facing < TERMINATOR)
+        sagitta = 0.5 * np.maximum(curvature_per_mm[away], 0.0) * (0.5 * width_mm) ** 2
+        around = self._filtered(
+            self.away,
+            position_mm[away],
+            (slopes[0][away] * (facing[away] < 0.0), slopes[1][away] * (facing[away] < 0.0)),
+            BIAS_MM + np.minimum(SAGITTA_FACTOR * sagitta, 0.5 * width_mm),
+            width_mm,
+        )
+        share = np.clip(facing[away] / TERMINATOR, 0.0, 1.0)
+        lit[away] = share * lit[away] + (1.0 - share) * around
         return lit
+
+    def _filtered(
+        self,
+        depths: FloatArray,
+        position_mm: FloatArray,
+        slope: tuple[FloatArray, FloatArray],
+        bias_mm: FloatArray,
+        width_mm: float,
+    ) -> FloatArray:
+        if not position_mm.size:
+            return np.zeros(0)
+        x, y, depth, texel_mm = self._locate(position_mm)
+        depth = depth - bias_mm
+        radius = 0.5 * width_mm / texel_mm
+        margin = np.hypot(*slope) * 0.5 * width_mm
+        nearest, farthest = self._extremes(depths, int(np.ceil(radius.max())) + 1)
+        at = (np.clip(y, 0, MAP_SIZE - 1).astype(np.int64), np.clip(x, 0, MAP_SIZE - 1).astype(np.int64))
+        lit = np.ones(depth.size)
+        lit[farthest[at] < depth - margin] = 0.0
+        edge = np.flatnonzero((nearest[at] < depth + margin) & (farthest[at] >= depth - margin))
+        x, y, depth, radius = x[edge], y[edge], depth[edge], radius[edge]
+        rise_x, rise_y = slope[0][edge] * texel_mm[edge], slope[1][edge] * texel_mm[edge]
+        total = np.zeros(edge.size)
+        for dx, dy in _hemisphere_disk(FILTER_TAPS):
+            across, down = dx * radius, dy * radius
+            total += _compared(depths, x + across, y + down, depth + rise_x * across + rise_y * down)
+        lit[edge] = total / FILTER_TAPS
+        return lit
+
+    def _extremes(self, depths: FloatArray, reach: int) -> tuple[FloatArray, FloatArray]:
+        """The least and greatest depth within a reach of every texel: most pixels need no taps."""
+        key = (depths is self.away, reach)
+        if key not in self.cache:
+            size = 2 * reach + 1
+            self.cache[key] = (
+                minimum_filter(depths, size=size, mode="constant", cval=np.inf),
+                maximum_filter(depths, size=size, mode="constant", cval=np.inf),
+            )
+        return self.cache[key]
 
     def thickness(
         self, position_mm: FloatArray, normal: FloatArray, offset_mm: float, radius_mm: float, taps: int
@@ -83,7 +138,7 @@ class ShadowMap:
         occluders = np.empty((depth.size, taps))
         for tap, (dx, dy) in enumerate(poisson_disk(taps)):
             scale = radius_mm / texel_mm
-            found = self._fetch(x + dx * scale, y + dy * scale)
+            found = _texel(self.first, np.floor(x + dx * scale), np.floor(y + dy * scale))
             # A tap that misses the body sees no wall there: as thick as nothing.
             occluders[:, tap] = np.where(np.isfinite(found), found, depth)
         return thickness_from_depths(depth, occluders)
@@ -106,27 +161,23 @@ class ShadowMap:
         excess = np.maximum(np.hypot(slope_x, slope_y) / STEEPEST_SLOPE, 1.0)
         return slope_x / excess, slope_y / excess, facing
 
-    def _compared(self, x: FloatArray, y: FloatArray, depth: FloatArray) -> FloatArray:
-        """Percentage-closer: compare four texels, then interpolate."""
-        x0, y0 = np.floor(x - 0.5), np.floor(y - 0.5)
-        fx, fy = x - 0.5 - x0, y - 0.5 - y0
-        at = [
-            self._texel(self.away, x0 + i, y0 + j) >= depth for j in (0.0, 1.0) for i in (0.0, 1.0)
-        ]
-        top = at[0] * (1.0 - fx) + at[1] * fx
-        bottom = at[2] * (1.0 - fx) + at[3] * fx
-        result: FloatArray = top * (1.0 - fy) + bottom * fy
-        return result
+def _compared(depths: FloatArray, x: FloatArray, y: FloatArray, depth: FloatArray) -> FloatArray:
+    """Percentage-closer: compare four texels, then interpolate."""
+    x0, y0 = np.floor(x - 0.5), np.floor(y - 0.5)
+    fx, fy = x - 0.5 - x0, y - 0.5 - y0
+    at = [_texel(depths, x0 + i, y0 + j) >= depth for j in (0.0, 1.0) for i in (0.0, 1.0)]
+    top = at[0] * (1.0 - fx) + at[1] * fx
+    bottom = at[2] * (1.0 - fx) + at[3] * fx
+    result: FloatArray = top * (1.0 - fy) + bottom * fy
+    return result
 
-    def _fetch(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        return self._texel(self.first, np.floor(x), np.floor(y))
 
-    @staticmethod
-    def _texel(depths: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
-        last = MAP_SIZE - 1
-        inside = (x >= 0) & (x <= last) & (y >= 0) & (y <= last)
-        at = np.clip(y, 0, last).astype(np.int64) * MAP_SIZE + np.clip(x, 0, last).astype(np.int64)
-        return np.where(inside, depths.ravel()[at], np.inf)
+def _texel(depths: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
+    """Nothing lies outside a map: it holds the whole body."""
+    last = MAP_SIZE - 1
+    inside = (x >= 0) & (x <= last) & (y >= 0) & (y <= last)
+    at = np.clip(y, 0, last).astype(np.int64) * MAP_SIZE + np.clip(x, 0, last).astype(np.int64)
+    return np.where(inside, depths.ravel()[at], np.inf)
 
 
 def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
@@ -138,7 +189,7 @@ def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
     seen = points @ view[:3, :3].T + view[:3, 3]
     clip = seen @ projection[:, :3].T + projection[:, 3]
     first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
-    return ShadowMap(view, projection, first, away)
+    return ShadowMap(view, projection, first, away, np.minimum(away, first + ATTACHED_MM))
 
 
 def _hemisphere_disk(taps: int) -> FloatArray:

@@ -12,11 +12,15 @@ import numpy as np
 
 from ..._core.arrays import FloatArray, dot
 from ..._core.progress import Progress, silent
-from ...mesh import Mesh
-from ...scene import Environment
+from ...mesh import Mesh, diffuse_on_mesh, mesh_curvature
+from ...profile import Profile
+from ...scene import Environment, Light
 from ...scene.camera import look_at, parallel
+from ...shading.ambient import ambient_irradiance
+from ...shading.compose import Skin
 from ...shading.deep_scatter import transmittance
 from .raster import depth_maps
+from .shadow_map import ShadowMap
 
 __all__ = ["SkyLight", "sky_light"]
 
@@ -25,6 +29,9 @@ MAP_SIZE = 224
 LOBE_POWER = 12.0
 """Each direction stands for a lobe about as wide as the distance to its neighbours."""
 BIAS_MM = 1.5
+BOUNCE_REACH_MM = 25.0
+"""Standard deviation over the surface of what a hidden direction is taken to see: a chin's distance
+from the neck, a nose's from the cheek."""
 
 
 @dataclass(frozen=True)
@@ -37,23 +44,28 @@ class SkyLight:
         (V, 3) share of the environment's irradiance that arrives, 0..1.
     through
         (V, 3) irradiance over π that arrives through the body from behind.
+    bounced
+        (V, 3) irradiance over π from the body's own lit parts.
     thickness_mm
         (V,) mean thickness towards the directions behind, mm.
     """
 
     visibility: FloatArray
     through: FloatArray
+    bounced: FloatArray
     thickness_mm: FloatArray
 
 
 def sky_light(
     mesh: Mesh,
     environment: Environment,
-    albedo: FloatArray,
-    sigma_per_mm: FloatArray,
+    lights: list[tuple[Light, ShadowMap]],
+    skin: Skin,
+    mean_albedo: FloatArray,
     progress: Progress = silent,
 ) -> SkyLight:
     """Gather `SkyLight` from depth maps in `DIRECTIONS` directions."""
+    body_albedo, sigma_per_mm = skin.profile.albedo, skin.sigma_per_mm
     points, normals = mesh.positions_mm, mesh.normals
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     radius = 1.05 * float(np.sqrt(dot(points - centre, points - centre).max()))
@@ -85,15 +97,45 @@ def sky_light(
         weight = -cosine[behind]
         thickness[behind] += weight * depth
         behind_weight[behind] += weight
-        passed = transmittance(depth, albedo, sigma_per_mm)
+        passed = transmittance(depth, body_albedo, sigma_per_mm)
         through[behind] += weight[:, None] * passed * radiance[index]
     progress("ambient light", 1.0)
     solid_angle = 4.0 / DIRECTIONS  # 4π/n over π
+    visibility = np.where(open_sky > 0.0, arrived / np.maximum(open_sky, 1e-12), 1.0)
+    each_channel = np.repeat(normals[:, None], 3, axis=1)
+    lit = ambient_irradiance(environment.radiance_sh, each_channel) * visibility
+    lit += _direct(mesh, lights, skin.params.shadow_filter_width_mm)
     return SkyLight(
-        np.where(open_sky > 0.0, arrived / np.maximum(open_sky, 1e-12), 1.0),
+        visibility,
         through * solid_angle,
+        _bounced(mesh, lit * mean_albedo, visibility),
         thickness / np.maximum(behind_weight, 1e-12),
     )
+
+
+def _direct(
+    mesh: Mesh, lights: list[tuple[Light, ShadowMap]], filter_width_mm: float
+) -> FloatArray:
+    """Irradiance over π of every light at the vertices, (V, 3)."""
+    total = np.zeros_like(mesh.positions)
+    curvature = mesh_curvature(mesh.positions_mm, mesh.faces, mesh.normals)
+    for light, shadow_map in lights:
+        to_light, irradiance = light.at(mesh.positions_mm)
+        lit = shadow_map.shadow_filter(
+            mesh.positions_mm, mesh.normals, curvature, filter_width_mm
+        )
+        cosine = np.maximum(dot(mesh.normals, to_light), 0.0)
+        total += (cosine * lit)[:, None] * irradiance / np.pi
+    return total
+
+
+def _bounced(mesh: Mesh, radiosity: FloatArray, visibility: FloatArray) -> FloatArray:
+    """What directions hidden by the body see: its own light, averaged over the surface nearby."""
+    nearby = Profile.gaussians(
+        variances_mm2=[BOUNCE_REACH_MM**2], weights=[[1.0, 1.0, 1.0]], albedo=0.5
+    )
+    mean = diffuse_on_mesh(mesh.positions_mm, mesh.faces, radiosity, nearby)[..., 0]
+    return (1.0 - visibility.mean(axis=1, keepdims=True)) * np.maximum(mean, 0.0)
 
 
 def _spread(count: int) -> FloatArray:
