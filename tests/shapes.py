@@ -122,7 +122,7 @@ def torus_points(angles: np.ndarray, R: float, r: float) -> tuple[np.ndarray, ..
 
 @cache
 def torus(kind: str, size: int, R: float = 3.0, r: float = 1.0) -> Shape:
-    """A torus: ``regular`` with `size` vertices around, a third across, or `size` ``random`` ones."""
+    """A torus, ``regular`` with `size` vertices around and a third across, or `size` ``random``."""
     angles, faces = _torus_grid(size) if kind == "regular" else _torus_random(size, R / r)
     p, n, k_max, k_min = torus_points(angles, R, r)
     return Shape(p, outward(p, faces, n), n, k_max, k_min)

@@ -42,6 +42,7 @@ FIT_RANGE_K_RMS = Tolerance(
 RMS_OF_BINNED_FLUX = Tolerance(
     2e-3, "mean square radius; flux is uniform within bins 5 % wide, which adds 0.17 %; relative"
 )
+FRESNEL_FIT = Tolerance(0.0015, "Egan and Hilgeman's fit of diffuse reflectance, index 1.1 to 1.5")
 SMALL_K_SERIES = Tolerance(1e-4, "1 - T over k²ρ²/4 at kρ = 0.01: the next term is of order (kρ)²")
 
 # -- lookup tables ---------------------------------------------------------------------------------
@@ -54,11 +55,17 @@ RING_MEAN = Tolerance(1e-9, "the mean around the ring is 1/pi")
 HEAT_KERNEL = Tolerance(1e-7, "light convolved with the heat kernel by quadrature, wide lobes")
 FLAT_LIMIT = Tolerance(1e-6, "Lambert at a radius of 100 km: s/sqrt(2 pi) at the terminator")
 ROUND_LIMIT = Tolerance(1e-9, "uniform light at a radius of a hundredth of the narrowest lobe")
-MC_SPHERE_5MM = Tolerance(0.016, "RMS per channel, then the mean, A·E0, at r = 5 mm; .0148 measured")
+MC_SPHERE_5MM = Tolerance(
+    0.016, "RMS per channel, then the mean, A·E0, at r = 5 mm; .0148 measured"
+)
 MC_SPHERE_20MM = Tolerance(0.003, "as at 5 mm; .0022 measured at r = 20 mm")
 MC_SPHERE_5MM_POOLED = Tolerance(0.018, "RMS over all channels at once, A·E0; .0177 measured")
 MC_SPHERE_20MM_POOLED = Tolerance(0.003, "RMS over all channels at once, A·E0; .0025 measured")
-GAIN_GAP = Tolerance(3.0, "Lambert, ring and sphere without gain are at least this many times worse")
+GAIN_TOTAL = Tolerance(0.08, "light returned by a whole sphere; relative; red at 5 mm is worst")
+COARSE_ROWS = Tolerance(3e-4, "32 rows interpolated bilinearly; MODEL promises 2e-4 between them")
+GAIN_GAP = Tolerance(
+    3.0, "Lambert, ring and sphere without gain are at least this many times worse"
+)
 CLASSIC_STEPS = Tolerance(1.0, "steps of 8 bits between ours and the construction of 2014")
 PNG_HALF_STEP = Tolerance(0.5, "steps of 16 bits, before the rounding of float32")
 

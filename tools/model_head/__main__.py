@@ -23,7 +23,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="model_head", description="Model the built-in head.")
     parser.add_argument("-o", "--output", type=Path, required=True, help="the .glb to write")
     parser.add_argument("--step-mm", type=float, default=0.8, help="marching cubes cell")
-    parser.add_argument("--edge-scale", type=float, default=0.84, help="edge lengths, times this")
+    parser.add_argument("--edge-scale", type=float, default=0.86, help="edge lengths, times this")
     given = parser.parse_args()
     vertices, faces = largest_component(*polygonise(head, given.step_mm))
     vertices, faces = remesh(vertices, faces, head, gradient, given.edge_scale)

@@ -102,7 +102,7 @@ def edge_length_mm(p: Array) -> Array:
     wing = bump(np.linalg.norm((p - [0, -15, 98]) / [18, 30, 20], axis=1), 0.6)
     lips = bump(np.linalg.norm((p - [0, -69.5, 92]) / [32, 13, 18], axis=1), 0.62)
     lids = bump(np.linalg.norm((side - [31, 0, 74]) / [20, 14, 16], axis=1), 0.65)
-    for weight, fine in ((ears, 1.55), (nose, 1.35), (wing, 2.1), (lips, 1.45), (lids, 1.3)):
+    for weight, fine in ((ears, 1.55), (nose, 1.35), (wing, 2.1), (lips, 1.45), (lids, 1.15)):
         size = size + (fine - size) * np.minimum(1.0, 1.6 * weight) * (size > fine)
     return np.asarray(size)
 
@@ -110,12 +110,14 @@ def edge_length_mm(p: Array) -> Array:
 def remesh(
     vertices: Array, faces: Faces, field: Field, gradient: Field, scale: float
 ) -> tuple[Array, Faces]:
-    """Isotropic triangles of the wanted sizes times ``scale``, vertices on the zero set."""
+    """Give isotropic triangles of the wanted sizes times ``scale``, vertices on the zero set.
+
+    One pass per size, each freezing what is already coarse enough for its place.
+    """
     v, f = vertices, faces.astype(np.int32)
-    for length in (1.35, 1.35, 1.7, 2.15, 2.75, 3.5, 4.4, 5.4, 6.6):
+    for length in (1.15, 1.35, 1.7, 2.15, 2.75, 3.5, 4.4, 5.4, 6.6):
         coarse = edge_length_mm(v) >= length * 0.96
         frozen = np.flatnonzero(~coarse).astype(np.int32)
-        # the remesher calls an edge too long beyond 4/3 of its target, hence the square root
         v, f = gpytoolbox.remesh_botsch(v, f, 3, length * scale, True, frozen)
         v = project(field, gradient, np.asarray(v), steps=1)
     triangles = np.asarray(f, dtype=np.int64)

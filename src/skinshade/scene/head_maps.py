@@ -22,7 +22,16 @@ from skinshade.scene.head_noise import (
     sample_smooth,
     smooth_volume,
 )
-from skinshade.scene.head_texels import TexelFrame, Texels, rasterise, spread, texel_frame
+from skinshade.scene.head_texels import (
+    TexelFrame,
+    Texels,
+    bands,
+    double,
+    fill,
+    rasterise,
+    spread,
+    texel_frame,
+)
 
 Float32 = NDArray[np.float32]
 
@@ -136,29 +145,6 @@ def _skin(
     return _Skin(p, stacked[:, 3:6], w[:, 0], w[:, 1], w[:, 2], w[:, 3], front), wide
 
 
-def _fill(values: Float32, texels: Texels) -> Float32:
-    """Put texel values ``(N, C)`` into a picture ``(H, W, C)``; the mean goes everywhere else."""
-    flat = np.empty((texels.size**2, values.shape[1]), dtype=np.float32)
-    flat[:] = values[::16].mean(axis=0)
-    flat[texels.index] = values
-    return flat.reshape(texels.size, texels.size, -1)
-
-
-def _double(picture: Float32) -> Float32:
-    """Twice the size by linear interpolation; sample ``i`` stays at ``2 i``."""
-    h, w, c = picture.shape
-    wide = np.empty((h, 2 * w, c), dtype=np.float32)
-    wide[:, ::2] = picture
-    wide[:, 1:-1:2] = 0.5 * (picture[:, :-1] + picture[:, 1:])
-    wide[:, -1] = picture[:, -1]
-    out = np.empty((2 * h, 2 * w, c), dtype=np.float32)
-    out[::2] = wide
-    np.add(wide[:-1], wide[1:], out=out[1:-1:2])
-    out[1:-1:2] *= 0.5
-    out[-1] = wide[-1]
-    return out
-
-
 def _colours(s: _Skin, rng: np.random.Generator, noise: Float32) -> tuple[Float32, Float32]:
     """Albedo without hairs and deep tint, ``(N, 3)`` each."""
     p = s.p
@@ -261,30 +247,33 @@ def _strengths(s: _Skin, noise: Float32) -> tuple[Float32, Float32]:
     return np.stack([pores, furrows], axis=1).astype(np.float32), broad.astype(np.float32)
 
 
-def _relief_mm(
-    p: Float32, depths: Float32, broad: Float32, rng: np.random.Generator, noise: Float32
-) -> Float32:
-    """Height of the skin ``(N,)``: the broad relief with pores, furrows and creases of the lips.
-
-    ``depths`` ``(N, 2)`` as from :func:`_strengths`; ``broad`` ``(N, 2)`` the broad relief and the
-    weight of the lips.
-    """
+def _cells(rng: np.random.Generator) -> tuple[Float32, Float32]:
+    """Profiles 0..1 of pores and of the furrows between cells, as flat periodic volumes."""
     first, gap = cellular_volume(rng, _CELL_SAMPLES, _CELLS_ACROSS)
     pit = np.clip(1.0 - first * np.float32(1.0 / 0.52), 0.0, None)
-    pit = (pit * pit * (3.0 - 2.0 * np.minimum(pit, 1.0))).astype(np.float32)
-    furrow = np.exp(-((gap * np.float32(1.0 / 0.13)) ** 2)).astype(np.float32)
+    pit = pit * pit * (4.5 - 3.0 * pit)
+    furrow = np.exp(-((gap * np.float32(1.0 / 0.13)) ** 2))
+    return pit.astype(np.float32), furrow.astype(np.float32)
+
+
+def _relief_mm(ground: Float32, cells: tuple[Float32, Float32], noise: Float32) -> Float32:
+    """Height of the skin ``(N,)``: the broad relief with pores, furrows and creases of the lips.
+
+    Columns of ``ground`` ``(N, 7)``: position in millimetres (3), depths of pores and furrows as
+    from :func:`_strengths`, the broad relief, the weight of the lips.
+    """
+    p = ground[:, :3]
+    height = ground[:, 5].copy()
     small = sample_cells(p, 0.82, _CELL_SAMPLES, _CELLS_ACROSS)
-    height = broad[:, 0].copy()
-    height -= depths[:, 0] * pit[small] * np.float32(1.5)
-    turned = np.ascontiguousarray(p[:, [2, 0, 1]])
-    net = sample_cells(turned, 1.05, _CELL_SAMPLES, _CELLS_ACROSS)
-    height -= depths[:, 1] * furrow[net]
-    lip = _ramp(broad[:, 1], 0.2, 0.7)
-    on = np.flatnonzero(lip > 0.05)
+    height -= ground[:, 3] * cells[0].take(small)
+    net = sample_cells(p[:, [2, 0, 1]], 1.05, _CELL_SAMPLES, _CELLS_ACROSS)
+    height -= ground[:, 4] * cells[1].take(net)
+    on = np.flatnonzero(ground[:, 6] > 0.25)
+    lip = _ramp(ground[on, 6], 0.2, 0.7)
     stretched = p[on] * np.array([1.0, 0.16, 0.10], dtype=np.float32)
     crease = sample_smooth(noise, stretched, 1.25)
     crease += 0.6 * sample_smooth(noise, stretched + 9.0, 0.75)
-    height[on] -= np.float32(0.055) * lip[on] * np.maximum(np.abs(crease) * -0.9 + 0.8, 0.0)
+    height[on] -= np.float32(0.055) * lip * np.maximum(np.abs(crease) * -0.9 + 0.8, 0.0)
     return height
 
 
@@ -309,7 +298,7 @@ def head_maps(
     normals: NDArray[np.floating],
     uvs: NDArray[np.floating],
     faces: NDArray[np.integer],
-    regions: NDArray[np.floating],
+    regions: NDArray[np.floating] | NDArray[np.integer],
     *,
     size: int = 2048,
     seed: int = 0,
@@ -325,7 +314,8 @@ def head_maps(
     faces
         Triangles ``(F, 3)``.
     regions
-        Weights ``(V, 4)``, 0..1: lips, brow, thin cartilage, redness.
+        Weights ``(V, 4)``: lips, brow, thin cartilage, redness; floats in 0..1, or the integers in
+        0..255 that the file stores.
     size
         Texels along a side, even.
     seed
@@ -344,6 +334,8 @@ def head_maps(
     coordinates = np.asarray(uvs, dtype=np.float32)
     directions = np.asarray(normals, dtype=np.float32)
     weights = np.asarray(regions, dtype=np.float32)
+    if np.issubdtype(np.asarray(regions).dtype, np.integer):
+        weights = weights * np.float32(1.0 / 255.0)
     noise = smooth_volume(rng)
     half = size // 2
     frame = texel_frame(points, coordinates, triangles, half)
@@ -354,32 +346,36 @@ def head_maps(
     colour, deep = _colours(skin, rng, noise)
     depths, broad = _strengths(skin, noise)
     shape = np.stack([frame.right_mm, frame.shear_mm, frame.up_mm], axis=1)[wide.face] * 0.5
-    ground = np.concatenate([skin.p, depths, broad[:, None], skin.lips[:, None], shape], axis=1)
-    ground = _double(_fill(ground.astype(np.float32), wide)).reshape(size * size, -1)
+    ground = np.concatenate([skin.p, depths, broad[:, None], skin.lips[:, None]], axis=1)
     covered = np.zeros((half, half), dtype=bool)
     covered.ravel()[wide.index] = True
-    index = np.flatnonzero(covered.repeat(2, axis=0).repeat(2, axis=1))
-    ground = ground.take(index, axis=0)
+    covered = covered.repeat(2, axis=0).repeat(2, axis=1)
+    cells = _cells(rng)
     height = np.zeros((size, size), dtype=np.float32)
-    height.ravel()[index] = _relief_mm(ground[:, :3], ground[:, 3:5], ground[:, 5:7], rng, noise)
+    for rows, band in bands(fill(ground, wide)):
+        here = covered[rows]
+        height[rows][here] = _relief_mm(band[here], cells, noise)
 
     hairs = np.zeros((size, size), dtype=np.float32)
     owner = np.full((half, half), -1, dtype=np.int32)
     owner.ravel()[inner.index] = inner.face
-    here = slice(0, len(inner.index))
-    eyebrows(hairs, inner.index, skin.p[here], skin.brow[here], owner, frame, rng)
-    lashes(hairs, inner.index, skin.p[here], owner, frame, rng)
+    count = len(inner.index)
+    eyebrows(hairs, inner.index, skin.p[:count], skin.brow[:count], owner, frame, rng)
+    lashes(hairs, inner.index, skin.p[:count], owner, frame, rng)
     height += np.float32(0.03) * hairs
 
     normal = np.zeros((size, size, 3), dtype=np.float32)
     normal[:, :, 2] = 1.0
-    normal.reshape(-1, 3)[index] = _normals(height, index, ground[:, 7:])
-    albedo = _double(_fill(colour, wide))
+    for rows, band in bands(fill(shape, wide)):
+        here = covered[rows]
+        index = np.flatnonzero(here) + rows.start * size
+        normal[rows][here] = _normals(height, index, band[here])
+    albedo = double(fill(colour, wide))
     hairy = hairs > 0.0
     albedo[hairy] += hairs[hairy][:, None] * (_HAIR - albedo[hairy])
     return HeadMaps(
         albedo=albedo,
         normal=normal,
-        specular=_double(_fill(_gloss(skin, noise), wide)),
-        deep_scatter=_double(_fill(deep, wide)),
+        specular=double(fill(_gloss(skin, noise), wide)),
+        deep_scatter=double(fill(deep, wide)),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -162,3 +163,35 @@ def texel_frame(positions_mm: Float32, uvs: Float32, faces: Int32, size: int) ->
         length.astype(np.float32), shear.astype(np.float32), height.astype(np.float32),
         np.stack([right, up], axis=1).astype(np.float32), inverse.astype(np.float32),
     )
+
+
+def fill(values: Float32, texels: Texels) -> Float32:
+    """Put texel values ``(N, C)`` into a picture ``(H, W, C)``; the mean goes everywhere else."""
+    flat = np.empty((texels.size**2, values.shape[1]), dtype=np.float32)
+    flat[:] = values[::16].mean(axis=0)
+    flat[texels.index] = values
+    return flat.reshape(texels.size, texels.size, -1)
+
+
+def double(picture: Float32) -> Float32:
+    """Twice the size by linear interpolation; sample ``i`` stays at ``2 i``."""
+    h, w, c = picture.shape
+    wide = np.empty((h, 2 * w, c), dtype=np.float32)
+    wide[:, ::2] = picture
+    wide[:, 1:-1:2] = 0.5 * (picture[:, :-1] + picture[:, 1:])
+    wide[:, -1] = picture[:, -1]
+    out = np.empty((2 * h, 2 * w, c), dtype=np.float32)
+    out[::2] = wide
+    np.add(wide[:-1], wide[1:], out=out[1:-1:2])
+    out[1:-1:2] *= 0.5
+    out[-1] = wide[-1]
+    return out
+
+
+def bands(picture: Float32, rows: int = 32) -> Iterator[tuple[slice, Float32]]:
+    """Give :func:`double` of a picture piece by piece, with the rows each piece fills."""
+    height = picture.shape[0]
+    for top in range(0, height, rows):
+        stop = min(top + rows, height)
+        piece = double(picture[top : stop + 1])
+        yield slice(2 * top, 2 * stop), piece[: 2 * (stop - top)]

@@ -140,6 +140,8 @@ class Surface:
         (N, 6) shape operator, 1/mm, or None.
     diffused_normals
         (N, 3, 3) mesh normals diffused by the profile, or None.
+    diffused_curvature_per_mm
+        (N, 3) mean curvature diffused by the profile, or None; the energy gain takes it.
     """
 
     view: FloatArray
@@ -152,6 +154,7 @@ class Surface:
     tint: FloatArray
     tensor_world: FloatArray | None = None
     diffused_normals: FloatArray | None = None
+    diffused_curvature_per_mm: FloatArray | None = None
 
     @property
     def sharp(self) -> FloatArray:
@@ -229,8 +232,13 @@ def shade(
             terms[name] = terms[name] + value * light.radiance
     if surroundings is not None:
         terms |= _ambient(skin, surface, seen, surroundings, mode)
+    body = surface.albedo
+    if mode != "classic":
+        n_dot_v = dot(surface.mesh_normal, surface.view)
+        share = specular.diffuse_share(n_dot_v, surface.gloss, surface.reflectance)
+        body = body * share[:, None]
     for name in ("direct", "deep_scatter", "ambient", "ambient_deep_scatter"):
-        terms[name] = terms[name] * surface.albedo
+        terms[name] = terms[name] * body
     return terms
 
 
@@ -313,9 +321,7 @@ def _transfer(
 def _diffused(
     skin: Skin, surface: Surface, seen: FloatArray, light: Incident, tier: Tier
 ) -> FloatArray:
-    gain = energy_gain(
-        skin.profile.albedo, skin.profile.rms_radius_mm, surface.curvature_per_mm
-    )
+    gain = _gain(skin, surface)
     if tier == "scalar" or surface.tensor_world is None:
         return direct.direct_scalar(
             skin.sphere, seen, light.to_light, surface.curvature_per_mm, gain
@@ -339,9 +345,7 @@ def _ambient(
 ) -> dict[str, FloatArray]:
     bands = None
     if mode == "transfer":
-        gain = energy_gain(
-            skin.profile.albedo, skin.profile.rms_radius_mm, surface.curvature_per_mm
-        )
+        gain = _gain(skin, surface)
         k = np.sqrt(np.array([0.0, 2.0, 6.0])) * np.abs(surface.curvature_per_mm)[:, None]
         bands = skin.transfer(k) * gain[:, None, :]
     irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, seen, bands)
@@ -362,6 +366,18 @@ def _ambient(
             * _tint(skin, surface)
         )
     return terms
+
+
+def _gain(skin: Skin, surface: Surface) -> FloatArray:
+    rms = skin.profile.rms_radius_mm
+    if surface.diffused_curvature_per_mm is None:
+        return energy_gain(skin.profile.albedo, rms, surface.curvature_per_mm)
+    # Light leaves within ρ of where it entered: what counts is curvature averaged as far, per channel.
+    averaged = [
+        energy_gain(skin.profile.albedo, rms, surface.diffused_curvature_per_mm[:, c])[:, c]
+        for c in range(3)
+    ]
+    return np.stack(averaged, axis=1)
 
 
 def _specular(surface: Surface, light: Incident, lit: FloatArray) -> FloatArray:

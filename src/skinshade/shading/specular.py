@@ -8,6 +8,7 @@ from .._core.arrays import FloatArray, dot, unit_vectors
 
 __all__ = [
     "ambient_specular_fresnel",
+    "diffuse_share",
     "gloss_from_roughness",
     "gloss_of_relief",
     "reflected",
@@ -96,6 +97,13 @@ def ambient_specular_fresnel(
     grazing = (1.0 - np.clip(n_dot_v, 0.0, 1.0)) ** 5
     result: FloatArray = reflectance + (1.0 - reflectance) * grazing / (4.0 - 3.0 * gloss)
     return result
+
+
+def diffuse_share(
+    n_dot_v: FloatArray, gloss: FloatArray, reflectance: FloatArray
+) -> FloatArray:
+    """Return the share (...) of light that the specular coat lets through to be diffused."""
+    return 1.0 - ambient_specular_fresnel(n_dot_v, gloss, reflectance)
 
 
 def _lobe(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._core.arrays import FloatArray, IntArray
-from ...mesh import Mesh, mesh_curvature, mesh_curvature_tensor, mesh_diffused_normals
+from ...mesh import Mesh, diffuse_on_mesh, mesh_curvature, mesh_curvature_tensor
 from ...mesh.curvature import tensor_to_world
 from ...mesh.normals import tangent_frame, vertex_tangents
 from ...profile import Profile
@@ -49,7 +49,9 @@ def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geomet
     """Analyse a mesh for a profile."""
     points = mesh.positions_mm
     tensor = mesh_curvature_tensor(points, mesh.faces, mesh.normals)
-    diffused = mesh_diffused_normals(points, mesh.faces, mesh.normals, profile)
+    curvature = mesh_curvature(points, mesh.faces, mesh.normals)
+    both = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
+    diffused = diffuse_on_mesh(points, mesh.faces, both, profile)
     if mesh.uvs is None:
         tangent = np.concatenate([tangent_frame(mesh.normals)[0], np.ones((len(points), 1))], axis=1)
     else:
@@ -59,9 +61,10 @@ def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geomet
         "normal": mesh.normals,
         "tangent": tangent,
         "uv": np.zeros((len(points), 2)) if mesh.uvs is None else mesh.uvs,
-        "curvature": mesh_curvature(points, mesh.faces, mesh.normals)[:, None],
+        "curvature": curvature[:, None],
         "tensor": tensor_to_world(tensor, mesh.normals),
-        "diffused": diffused.reshape(-1, 9),
+        "diffused": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
+        "diffused_curvature": diffused[:, 3],
     }
     if sky is not None:
         columns["visibility"] = sky.visibility

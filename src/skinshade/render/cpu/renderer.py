@@ -189,6 +189,7 @@ class CpuRenderer:
             tint=tint,
             tensor_world=columns["tensor"],
             diffused_normals=columns["diffused"].reshape(-1, 3, 3),
+            diffused_curvature_per_mm=columns["diffused_curvature"],
         )
 
     def _fetched_normals(

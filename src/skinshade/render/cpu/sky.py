@@ -93,8 +93,10 @@ def sky_light(
             x[behind], 0, MAP_SIZE - 1
         ).astype(np.int64)
         wall = first[at]
-        depth = np.maximum(-seen[behind, 2] - np.where(np.isfinite(wall), wall, -seen[behind, 2]), 0.0)
         weight = -cosine[behind]
+        depth = np.maximum(-seen[behind, 2] - np.where(np.isfinite(wall), wall, -seen[behind, 2]), 0.0)
+        # A texel's depth is uncertain by as much as a grazing wall rises within it.
+        depth += radius / MAP_SIZE * np.sqrt(1.0 - weight * weight) / np.maximum(weight, 0.1)
         thickness[behind] += weight * depth
         behind_weight[behind] += weight
         passed = transmittance(depth, body_albedo, sigma_per_mm)
@@ -130,12 +132,18 @@ def _direct(
 
 
 def _bounced(mesh: Mesh, radiosity: FloatArray, visibility: FloatArray) -> FloatArray:
-    """What directions hidden by the body see: its own light, averaged over the surface nearby."""
+    """Irradiance over π from directions that the body hides.
+
+    In a deep cavity they see walls as dark as the point itself, across an open hollow the lit surface
+    nearby: as open as the point is, so far does it see.
+    """
     nearby = Profile.gaussians(
         variances_mm2=[BOUNCE_REACH_MM**2], weights=[[1.0, 1.0, 1.0]], albedo=0.5
     )
     mean = diffuse_on_mesh(mesh.positions_mm, mesh.faces, radiosity, nearby)[..., 0]
-    return (1.0 - visibility.mean(axis=1, keepdims=True)) * np.maximum(mean, 0.0)
+    openness = np.clip(visibility.mean(axis=1, keepdims=True), 0.0, 1.0)
+    seen = openness * np.maximum(mean, 0.0) + (1.0 - openness) * radiosity
+    return (1.0 - openness) * seen
 
 
 def _spread(count: int) -> FloatArray:
