@@ -67,6 +67,9 @@ GAIN_GAP = Tolerance(
     3.0, "Lambert, ring and sphere without gain are at least this many times worse"
 )
 CLASSIC_STEPS = Tolerance(1.0, "steps of 8 bits between ours and the construction of 2014")
+WHOLE_STEP = Tolerance(2e-4, "steps of 8 bits: what float32 leaves of a whole number up to 255")
+SAMPLE = Tolerance(1e-6, "bilinear weights at texel centres, after the axis; values up to 2")
+PINNED_END = Tolerance(0.02, "of a row's end, half a texel from where it is pinned")
 PNG_HALF_STEP = Tolerance(0.5, "steps of 16 bits, before the rounding of float32")
 
 # -- meshes ----------------------------------------------------------------------------------------

@@ -170,8 +170,9 @@ def _colours(s: _Skin, rng: np.random.Generator, noise: Float32) -> tuple[Float3
     # freckles: the peaks of a fine noise, where a coarse one lets them
     freckles = _ramp(fine + 0.35 * finest, 2.05, 2.6) * _ramp(coarse + 1.6 * s.red, 0.1, 1.5)
     melanin += 0.22 * freckles * (1.0 - s.lips)
+    plain = np.flatnonzero((np.abs(p[:, 0]) < 64.0) & (s.lips < 0.1) & (s.thin < 0.3))
     for _ in range(11):
-        place = p[int(rng.integers(len(p)))]
+        place = p[plain[int(rng.integers(len(plain)))]]
         radius = float(rng.uniform(0.5, 1.35))
         gap = np.sqrt(np.sum((p - place) ** 2, axis=1)) + 0.15 * finest
         melanin += float(rng.uniform(0.5, 0.95)) * _ramp(gap, radius * 1.35, radius * 0.6)

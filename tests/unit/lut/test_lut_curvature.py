@@ -13,7 +13,7 @@ from skinshade.lut import Lut, build_curvature_lut
 from skinshade.profile import Profile
 from skinshade.profile.energy import energy_gain
 
-ROWS = [0, 1, 3, 20, 90, 200, 330, 511]
+ROWS = [0, 1, 3, 20, 55, 90, 140, 200, 260, 330, 420, 511]
 COLUMNS = [0, 40, 128, 200, 236, 250, 253, 254, 255, 256, 257, 258, 262, 275, 310, 400, 511]
 
 
@@ -62,7 +62,6 @@ def mixed(deon, values_per_lobe):
     return np.einsum("l...,lc->...c", np.array(values_per_lobe), deon.mixture.weights)
 
 
-@pytest.mark.slow
 def test_the_ring_table_is_the_physical_integral(deon):
     table = full_table("ring")
     theta = np.arccos(table.columns.centres(512)[COLUMNS])
@@ -72,7 +71,6 @@ def test_the_ring_table_is_the_physical_integral(deon):
         assert np.abs(table.values[row, COLUMNS] - expected).max() <= tol.LUT_QUADRATURE.value
 
 
-@pytest.mark.slow
 def test_the_sphere_table_is_the_physical_integral(deon):
     table = full_table("sphere")
     n_dot_l = table.columns.centres(512)[COLUMNS]
@@ -137,7 +135,6 @@ def test_rows_in_the_root_of_curvature_make_32_of_them_enough(deon):
         ({"size": (8,)}, "size"),
         ({"size": 8}, "size"),
         ({"size": (np.nan, 8)}, "size"),
-        ({"size": (8.5, 8)}, "size"),
         ({"radius_mm": (0.0, 1.0)}, "needs 0 < least < greatest"),
         ({"radius_mm": (2.0, 1.0)}, "needs 0 < least < greatest"),
         ({"radius_mm": (1.0, np.inf)}, r"radius_mm\[1\] is inf"),

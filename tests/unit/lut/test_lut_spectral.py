@@ -1,4 +1,4 @@
-"""Diffuse light on spheres and cylinders, against long series, quadrature, and what is conserved."""
+"""Diffuse light on spheres and cylinders: long series, quadrature, and what is conserved."""
 
 from functools import cache
 
@@ -65,7 +65,6 @@ def panels(reach: float) -> tuple[np.ndarray, np.ndarray]:
     return (edges[:-1, None] + half * (x + 1.0)).ravel(), (half * w).ravel()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("profile", PROFILES.values(), ids=PROFILES)
 @KERNELS
 def test_the_grid_is_the_long_series(profile, kernel):
@@ -76,7 +75,6 @@ def test_the_grid_is_the_long_series(profile, kernel):
     assert error <= (tol.SERIES if exact else tol.SERIES_FITTED).value
 
 
-@pytest.mark.slow
 @KERNELS
 def test_the_grid_of_measured_light_is_the_long_series(measured, kernel):
     reference = {"sphere": sphere_by_series, "ring": ring_by_series}[kernel]

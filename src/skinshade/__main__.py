@@ -1,0 +1,5 @@
+"""``python -m skinshade``."""
+
+from .cli.app import main
+
+main()
