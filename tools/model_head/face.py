@@ -136,7 +136,7 @@ def add_eyes(f: Array, p: Array) -> Array:
     t = (x - PUPIL_X_MM) / 15.2
     along_line = ramp(np.abs(t), 1.12, 0.85)
     d = y - lash_height_mm(x)
-    upper = np.where(d > 0.0, np.exp(-np.maximum(d, 0.0) / 3.2), 0.0)
+    upper = np.exp(-np.maximum(d, 0.0) / 3.2)
     step = ramp(d, -0.8, 0.8) * upper * 0.85
     crease = bump(d + 0.5, 1.1) * 0.55
     lower = bump(d + 3.0, 1.5) * 0.35

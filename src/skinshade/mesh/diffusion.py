@@ -1,18 +1,22 @@
-"""Heat diffusion over a surface: what multiplying by a transfer function means there (MODEL §7).
+"""Diffusion over a surface: what multiplying by a transfer function means there (MODEL §7).
 
-exp(−z) is replaced by its best rational approximation on the half line, in partial fractions, so that
-each Gaussian costs a few sparse solves and no time steps.
+A frequency k² of the plane is an eigenvalue of the Laplacian of the mesh, so that a profile's effect is
+the matrix function T(√(M⁻¹L)). Lanczos' iteration applies it to a vector with a few dozen products by
+the sparse matrix [Higham2008]: no time steps, no factorisation, and no Gaussian fit either.
+
+Tried and left: implicit Euler steps with one factorisation a Gaussian (first order; 8 steps err by .03),
+and partial fractions of exp with complex poles (1.5e-6, but 1.9 s a pole on 20,000 vertices, where the
+iteration takes 0.02 s in all).
 """
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.linalg import hankel
-from scipy.sparse import coo_array, csc_array, dia_array
-from scipy.sparse.linalg import splu
+from numpy.typing import ArrayLike
+from scipy.linalg import eigh_tridiagonal
+from scipy.sparse import coo_array, csr_array, dia_array
 
 from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot
 from .._core.errors import MeshError
@@ -22,8 +26,10 @@ from .topology import weld
 
 __all__ = ["diffuse_on_mesh", "mesh_diffused_normals"]
 
-POLES = 6
-"""Order of the rational approximation; its error is 9.3⁻⁶ ≈ 1.5e-6 for every z ≥ 0 [Trefethen2006]."""
+TOLERANCE = 1e-8
+"""Change of any coefficient of the answer at which the iteration stops, relative to the input."""
+CHECK_EVERY = 12
+MOST_STEPS = 3000
 
 
 def diffuse_on_mesh(
@@ -43,13 +49,13 @@ def diffuse_on_mesh(
     values
         (V, ...) any quantity; irradiance, say, or normals.
     profile
-        Any; one that is no Gaussian mixture enters through its fit.
+        Any.
 
     Returns
     -------
     (V, ..., 3)
         The last axis is the channel. Constants stay what they are, and the integral over the surface
-        is kept, both to 1e-6; beside that, exact up to the mesh's own resolution.
+        is kept, both to 1e-7; beside that, exact up to the mesh's own resolution.
 
     Raises
     ------
@@ -67,14 +73,12 @@ def diffuse_on_mesh(
         [np.bincount(group, column, first.size) for column in flat.T], axis=1
     ) / np.bincount(group)[:, None]
     stiffness, mass = _laplacian(p[first], group[f])
-    mixture = profile.mixture
     result = np.zeros((*welded.shape, 3))
-    for lobe, (variance, weights) in enumerate(
-        zip(mixture.variances_mm2, mixture.weights, strict=True)
-    ):
-        progress("diffusing over the surface", lobe / mixture.variances_mm2.size)
-        diffused = _heat(stiffness, mass, 0.5 * variance, welded)
-        result += diffused[..., None] * weights
+    for column in range(welded.shape[1]):
+        progress("diffusing over the surface", column / welded.shape[1])
+        result[:, column] = _transferred(
+            stiffness, mass, profile.kernel.transfer, welded[:, column]
+        )
     progress("diffusing over the surface", 1.0)
     return result[group].reshape(*v.shape, 3)
 
@@ -90,7 +94,7 @@ def mesh_diffused_normals(
     return np.swapaxes(diffuse_on_mesh(positions_mm, faces, normals, profile), -1, -2)
 
 
-def _laplacian(p: FloatArray, faces: IntArray) -> tuple[csc_array, FloatArray]:
+def _laplacian(p: FloatArray, faces: IntArray) -> tuple[csr_array, FloatArray]:
     """Return the cotangent stiffness matrix and the lumped mass (a third of the faces around)."""
     count = p.shape[0]
     corners = p[faces]
@@ -105,7 +109,8 @@ def _laplacian(p: FloatArray, faces: IntArray) -> tuple[csc_array, FloatArray]:
     floor = 1e-12 * double_area.max()
     for corner in range(3):
         i, j = faces[:, (corner + 1) % 3], faces[:, (corner + 2) % 3]
-        a, b = corners[:, (corner + 1) % 3] - corners[:, corner], corners[:, (corner + 2) % 3] - corners[:, corner]
+        a = corners[:, (corner + 1) % 3] - corners[:, corner]
+        b = corners[:, (corner + 2) % 3] - corners[:, corner]
         half_cotangent = 0.5 * dot(a, b) / np.maximum(double_area, floor)
         rows += [i, j, i, j]
         columns += [j, i, i, j]
@@ -113,52 +118,57 @@ def _laplacian(p: FloatArray, faces: IntArray) -> tuple[csc_array, FloatArray]:
     matrix = coo_array(
         (np.concatenate(entries), (np.concatenate(rows), np.concatenate(columns))), (count, count)
     )
-    return csc_array(matrix), mass
+    return csr_array(matrix), mass
 
 
-def _heat(stiffness: csc_array, mass: FloatArray, time: float, values: FloatArray) -> FloatArray:
-    """exp(−time·M⁻¹L) values, by partial fractions over pairs of conjugate poles."""
-    poles, residues = _exponential_fractions(POLES)
-    diagonal = dia_array((mass[None, :], 0), shape=stiffness.shape)
-    result = np.zeros_like(values)
-    weighted = (mass[:, None] * values).astype(np.complex128)
-    for pole, residue in zip(poles, residues, strict=True):
-        # residue/(z − pole) with z = −time·M⁻¹L
-        matrix = csc_array(-time * stiffness - pole * diagonal)
-        solver = splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
-        result += 2.0 * np.real(residue * solver.solve(weighted))
+def _transferred(
+    stiffness: csr_array,
+    mass: FloatArray,
+    transfer: Callable[[FloatArray], FloatArray],
+    values: FloatArray,
+) -> FloatArray:
+    """Apply T(√(M⁻¹L)) to one column (n,) per channel, (n, 3), by Lanczos' iteration."""
+    root = np.sqrt(mass)
+    scale = dia_array((1.0 / root[None, :], 0), shape=stiffness.shape)
+    symmetric = csr_array(scale @ stiffness @ scale)
+    start = root * values
+    norm = float(np.linalg.norm(start))
+    if norm == 0.0:
+        return np.zeros((values.size, 3))
+    basis = np.empty((CHECK_EVERY, values.size))
+    basis[0] = start / norm
+    diagonal: list[float] = []
+    beside: list[float] = []
+    previous = np.zeros((0, 3))
+    for step in range(MOST_STEPS):
+        if step + 1 >= basis.shape[0]:
+            basis = np.concatenate([basis, np.empty_like(basis[:CHECK_EVERY])])
+        vector = symmetric @ basis[step]
+        diagonal.append(float(vector @ basis[step]))
+        for _ in range(2):  # twice is enough to stay orthogonal
+            vector -= basis[: step + 1].T @ (basis[: step + 1] @ vector)
+        length = float(np.linalg.norm(vector))
+        exhausted = length < 1e-12 * max(map(abs, diagonal))
+        if exhausted or (step + 1) % CHECK_EVERY == 0:
+            weights = _small_function(diagonal, beside, transfer)
+            padded = np.zeros_like(weights)
+            padded[: previous.shape[0]] = previous
+            if exhausted or np.abs(weights - padded).max() < TOLERANCE:
+                break
+            previous = weights
+        beside.append(length)
+        basis[step + 1] = vector / length
+    else:
+        raise MeshError(f"diffusion has not converged in {MOST_STEPS} steps; are faces needle-like?")
+    combined: FloatArray = basis[: weights.shape[0]].T @ weights
+    return norm * combined / root[:, None]
+
+
+def _small_function(
+    diagonal: list[float], beside: list[float], transfer: Callable[[FloatArray], FloatArray]
+) -> FloatArray:
+    """Return T(√H) e₁ (m, 3) of the tridiagonal matrix H that the iteration has found so far."""
+    squares, vectors = eigh_tridiagonal(np.array(diagonal), np.array(beside[: len(diagonal) - 1]))
+    response = transfer(np.sqrt(np.maximum(squares, 0.0)))
+    result: FloatArray = vectors @ (vectors[0][:, None] * response)
     return result
-
-
-@cache
-def _exponential_fractions(order: int) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Poles and residues, upper half, of the near-best approximation of e^z on (−∞, 0].
-
-    The method of Carathéodory and Fejér, as in [Trefethen2006]: map the half line to the circle, take
-    the singular vector of the Hankel matrix of Chebyshev coefficients, keep its zeros outside.
-    """
-    terms, samples, scale = 75, 1024, 9.0
-    w = np.exp(2j * np.pi * np.arange(samples) / samples)
-    t = w.real
-    with np.errstate(over="ignore"):
-        f = np.exp(scale * (t - 1.0) / (t + 1.0 + 1e-16))
-    c = np.fft.fft(f).real / samples
-    analytic = np.polyval(c[terms::-1], w)
-    u, singular, vh = np.linalg.svd(hankel(c[1 : terms + 1]))
-    left, right = u[::-1, order], vh[order]
-    padding = np.zeros(samples - terms)
-    blaschke = np.fft.fft(np.concatenate([left, padding])) / np.fft.fft(
-        np.concatenate([right, padding])
-    )
-    rational = analytic - singular[order] * w**terms * blaschke
-    zeros = np.roots(right)
-    q = zeros[np.abs(zeros) > 1.0]
-    numerator = np.fft.fft(rational * np.polyval(np.poly(q), w)).real / samples
-    numerator = numerator[order::-1]
-    residues = np.array(
-        [np.polyval(numerator, z) / np.polyval(np.poly(np.delete(q, k)), z) for k, z in enumerate(q)]
-    )
-    poles = scale * (q - 1.0) ** 2 / (q + 1.0) ** 2
-    residues = 4.0 * residues * poles / (q * q - 1.0)
-    upper = poles.imag > 0.0
-    return poles[upper], residues[upper]

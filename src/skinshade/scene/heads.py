@@ -69,7 +69,7 @@ def builtin_head(seed: int = 0) -> tuple[Mesh, Material]:
     with as_file(files(__package__).joinpath("assets/head.glb")) as path:
         mesh = load_mesh(path)
     assert mesh.uvs is not None
-    regions = mesh.attributes["_REGION"]
+    regions = mesh.attributes["_REGION"] / 255.0  # bytes in the file
     maps = head_maps(
         mesh.positions_mm, mesh.normals, mesh.uvs, mesh.faces, regions, size=MAP_SIZE, seed=seed
     )

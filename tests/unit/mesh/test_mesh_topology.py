@@ -1,0 +1,103 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+import shapes
+import tolerances as tol
+from skinshade.mesh.topology import (
+    corner_areas,
+    face_areas,
+    half_edges,
+    open_edge_counts,
+    weld,
+)
+
+GRID_POINTS = hnp.arrays(
+    np.int64, st.tuples(st.integers(1, 30), st.just(3)), elements=st.integers(0, 2)
+)
+NONE_AT_FAULT = {"open edges": 0, "non-manifold edges": 0, "edges of opposite winding": 0}
+
+
+@given(GRID_POINTS, st.floats(0.1, 10.0))
+def test_vertices_are_welded_when_and_only_when_their_positions_are_equal(lattice, unit):
+    positions = lattice * unit
+    group, first = weld(positions)
+    same_place = (lattice[:, None] == lattice[None, :]).all(axis=-1)
+    assert np.array_equal(group[:, None] == group[None, :], same_place)
+    assert np.array_equal(positions[first][group], positions)
+    assert sorted(set(group)) == list(range(first.size))
+
+
+def test_positions_with_the_same_mixture_of_coordinates_stay_apart():
+    # √2 on x and 1 on y make the same sum, so the quick sort of one number cannot tell them apart.
+    positions = np.array([[np.sqrt(2.0), 0.0, 0.0], [0.0, 1.0, 0.0], [np.sqrt(2.0), 0.0, 0.0]])
+    group, first = weld(positions)
+    assert group[0] == group[2] != group[1]
+    assert first.size == 2
+
+
+def test_positive_and_negative_zero_are_one_place():
+    assert weld(np.array([[0.0, 0.0, 0.0], [-0.0, 0.0, -0.0]]))[1].size == 1
+
+
+def test_each_inner_edge_is_walked_once_each_way():
+    shape = shapes.sphere("icosphere", 2)
+    start, end = half_edges(shape.faces)
+    forward = set(zip(start.tolist(), end.tolist(), strict=True))
+    assert len(forward) == 3 * len(shape.faces)
+    assert forward == {(b, a) for a, b in forward}
+
+
+def test_the_area_of_a_triangle_is_half_base_times_height():
+    positions = np.array([[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 0.0, 4.0]])
+    assert face_areas(positions, np.array([[0, 1, 2]])) == pytest.approx(6.0)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_corner_areas_share_the_whole_area(scale):
+    shape = shapes.sphere("random", 1000)
+    areas = corner_areas(shape.positions * scale, shape.faces, 1000)
+    whole = face_areas(shape.positions * scale, shape.faces).sum()
+    assert areas.sum() == pytest.approx(whole, rel=tol.ROUNDING_SUMS.value)
+    assert whole == pytest.approx(4.0 * np.pi * scale**2, rel=0.02)
+
+
+def test_a_closed_surface_has_no_edge_at_fault():
+    for shape in (shapes.sphere("icosphere", 2), shapes.torus("regular", 24)):
+        assert open_edge_counts(shape.positions, shape.faces) == NONE_AT_FAULT
+
+
+def test_a_hole_counts_its_rim():
+    shape = shapes.sphere("icosphere", 2)
+    counts = open_edge_counts(shape.positions, shape.faces[1:])
+    assert counts == NONE_AT_FAULT | {"open edges": 3}
+
+
+def test_a_tube_counts_both_its_rims():
+    tube = shapes.cylinder(1.0, 2.0, 12, 3)
+    assert open_edge_counts(tube.positions, tube.faces) == NONE_AT_FAULT | {"open edges": 24}
+
+
+def test_a_fin_makes_its_edge_non_manifold():
+    shape = shapes.sphere("icosphere", 1)
+    a, b = shape.faces[0, :2]
+    positions = np.vstack([shape.positions, [5.0, 5.0, 5.0]])
+    faces = np.vstack([shape.faces, [a, b, len(shape.positions)]])
+    counts = open_edge_counts(positions, faces)
+    assert counts == NONE_AT_FAULT | {"open edges": 2, "non-manifold edges": 1}
+
+
+def test_a_turned_face_disagrees_on_its_three_edges():
+    shape = shapes.sphere("icosphere", 2)
+    faces = shape.faces.copy()
+    faces[5] = faces[5, ::-1]
+    counts = open_edge_counts(shape.positions, faces)
+    assert counts == NONE_AT_FAULT | {"edges of opposite winding": 3}
+
+
+def test_a_seam_is_no_hole():
+    positions, faces, _, _ = shapes.split_seam(shapes.sphere("icosphere", 3))
+    assert len(positions) > len(shapes.sphere("icosphere", 3).positions)
+    assert open_edge_counts(positions, faces) == NONE_AT_FAULT
