@@ -99,6 +99,6 @@ def _quadric_normals(p: FloatArray, f: IntArray, normals: FloatArray) -> FloatAr
         for column in range(row, 5):
             entry = np.bincount(i, weighted * terms[column], count)
             matrix[:, row, column] = matrix[:, column, row] = entry
-        matrix[:, row, row] += FIT_RIDGE
+        matrix[:, row, row] += FIT_RIDGE * (0.5 if row == 3 else 1.0)  # a²+b²/2+c² knows no axes
     slope = np.linalg.solve(matrix, right)[:, :2, 0]
     return unit_vectors(normals - slope[:, :1] * u - slope[:, 1:] * v)

@@ -1,5 +1,7 @@
 """Mean curvature of shapes where it is known."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -47,7 +49,7 @@ def test_curvature_is_right_to_two_percent(make, smoothing):
 @pytest.mark.parametrize("smoothing", [0, 2])
 def test_a_finer_mesh_is_nearer_the_truth(ladder, smoothing):
     errors = [make().rms_error(curvature(make(), smoothing=smoothing)) for make in ladder]
-    for coarse, fine in zip(errors[:-1], errors[1:], strict=True):
+    for coarse, fine in pairwise(errors):
         assert fine <= tol.CURVATURE_GAIN_A_LEVEL.value * coarse
 
 

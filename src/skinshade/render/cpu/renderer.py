@@ -232,6 +232,7 @@ class CpuRenderer:
         shadow_filter[lit] = shadow_map.shadow_filter(
             position[lit],
             normal[lit],
+            to_light[lit],
             surface.curvature_per_mm[lit],
             params.shadow_filter_width_mm,
         )

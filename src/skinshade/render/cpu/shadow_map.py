@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.ndimage import maximum_filter, minimum_filter
 
-from ..._core.arrays import FloatArray, dot
+from ..._core.arrays import FloatArray, dot, unit_vectors
 from ...mesh import Mesh
 from ...scene import Light
 from ...shading.deep_scatter import inward_offset, poisson_disk, thickness_from_depths
@@ -18,16 +18,15 @@ __all__ = ["ShadowMap", "render_shadow_map"]
 MAP_SIZE = 1024
 FILTER_TAPS = 48
 STEEPEST_SLOPE = 8.0
-"""Receivers are treated as planes no steeper than this against the light."""
+HOLLOW_PER_MM = 0.04
+"""Receivers are planes no steeper than `STEEPEST_SLOPE` against the light; in a hollow of this curvature
+no steeper than 1, because the plane would pass for the wall that shadows it."""
 BIAS_MM = 0.4
-SAGITTA_FACTOR = 4.0
-"""A convex surface that faces away bends towards the light within the filter's radius r, by ½κr² and
-more where it is steep; that many times as much is not taken for another part's shadow."""
+TERMINATOR_REACH_MM = 8.0
+"""How far along the surface light is taken to have come from where it is lit."""
 ATTACHED_MM = 4.0
 """A hollow of a face rises this much above the plane of a receiver within the filter; what is nearer
 to the light by more, or has a far side before the receiver, is another part that casts a shadow."""
-TERMINATOR = 0.15
-"""N·L below which the map of what faces away takes over from the map of what is nearest."""
 
 
 @dataclass(frozen=True)
@@ -40,23 +39,21 @@ class ShadowMap:
         (4, 4) matrices of the light.
     first
         (S, S) the nearest surface; infinite where there is none.
-    away
-        (S, S) the nearest surface that faces away from the light.
     occluders
-        (S, S) what shadows a surface that faces the light: `away`, or `first` and `ATTACHED_MM`.
+        (S, S) what shadows: the nearest surface that faces away, or `first` and `ATTACHED_MM` more.
     """
 
     view: FloatArray
     projection: FloatArray
     first: FloatArray
-    away: FloatArray
     occluders: FloatArray
-    cache: dict[tuple[bool, int], tuple[FloatArray, FloatArray]] = field(default_factory=dict)
+    cache: dict[int, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
 
     def shadow_filter(
         self,
         position_mm: FloatArray,
         normal: FloatArray,
+        to_light: FloatArray,
         curvature_per_mm: FloatArray,
         width_mm: float,
     ) -> FloatArray:
@@ -65,47 +62,29 @@ class ShadowMap:
         The disk's weight is a hemisphere, √(1−r²), whose transfer across a straight edge is exactly
         the smoothstep that the shadow table inverts. Receivers are planes, so that a slope does not
         shadow itself. Past the terminator a body hides itself from the light, which is not a shadow
-        but what the curvature table describes: there only surfaces that face away count.
+        but what the curvature table describes: there the question is asked where the light that
+        diffuses comes from, at the terminator itself.
         """
-        slopes = self._slopes(normal)
-        facing = slopes[2]
-        lit = np.zeros(facing.size)
-        towards = np.flatnonzero(facing > 0.0)
-        lit[towards] = self._filtered(
-            self.occluders,
-            position_mm[towards],
-            (slopes[0][towards], slopes[1][towards]),
-            np.full(towards.size, BIAS_MM),
-            width_mm,
-        )
-        away = np.flatnonzero(facing < TERMINATOR)
-        sagitta = 0.5 * np.maximum(curvature_per_mm[away], 0.0) * (0.5 * width_mm) ** 2
-        around = self._filtered(
-            self.away,
-            position_mm[away],
-            (slopes[0][away] * (facing[away] < 0.0), slopes[1][away] * (facing[away] < 0.0)),
-            BIAS_MM + np.minimum(SAGITTA_FACTOR * sagitta, 0.5 * width_mm),
-            width_mm,
-        )
-        share = np.clip(facing[away] / TERMINATOR, 0.0, 1.0)
-        lit[away] = share * lit[away] + (1.0 - share) * around
-        return lit
+        cosine = dot(normal, to_light)
+        past = np.maximum(-cosine, 0.0)
+        tangential = unit_vectors(to_light - normal * cosine[:, None])
+        reach = np.minimum(past / np.maximum(curvature_per_mm, 1e-3), TERMINATOR_REACH_MM)
+        at_terminator = position_mm + tangential * reach[:, None]
+        upright = unit_vectors(normal + to_light * past[:, None])
+        hollow = np.clip(1.0 + curvature_per_mm / HOLLOW_PER_MM, 0.0, 1.0)
+        slope = self._slopes(upright, 1.0 + (STEEPEST_SLOPE - 1.0) * hollow)
+        return self._filtered(at_terminator, slope, width_mm)
 
     def _filtered(
-        self,
-        depths: FloatArray,
-        position_mm: FloatArray,
-        slope: tuple[FloatArray, FloatArray],
-        bias_mm: FloatArray,
-        width_mm: float,
+        self, position_mm: FloatArray, slope: tuple[FloatArray, FloatArray], width_mm: float
     ) -> FloatArray:
         if not position_mm.size:
             return np.zeros(0)
         x, y, depth, texel_mm = self._locate(position_mm)
-        depth = depth - bias_mm
+        depth = depth - BIAS_MM
         radius = 0.5 * width_mm / texel_mm
         margin = np.hypot(*slope) * 0.5 * width_mm
-        nearest, farthest = self._extremes(depths, int(np.ceil(radius.max())) + 1)
+        nearest, farthest = self._extremes(int(np.ceil(radius.max())) + 1)
         at = (np.clip(y, 0, MAP_SIZE - 1).astype(np.int64), np.clip(x, 0, MAP_SIZE - 1).astype(np.int64))
         lit = np.ones(depth.size)
         lit[farthest[at] < depth - margin] = 0.0
@@ -115,20 +94,19 @@ class ShadowMap:
         total = np.zeros(edge.size)
         for dx, dy in _hemisphere_disk(FILTER_TAPS):
             across, down = dx * radius, dy * radius
-            total += _compared(depths, x + across, y + down, depth + rise_x * across + rise_y * down)
+            total += _compared(self.occluders, x + across, y + down, depth + rise_x * across + rise_y * down)
         lit[edge] = total / FILTER_TAPS
         return lit
 
-    def _extremes(self, depths: FloatArray, reach: int) -> tuple[FloatArray, FloatArray]:
+    def _extremes(self, reach: int) -> tuple[FloatArray, FloatArray]:
         """The least and greatest depth within a reach of every texel: most pixels need no taps."""
-        key = (depths is self.away, reach)
-        if key not in self.cache:
+        if reach not in self.cache:
             size = 2 * reach + 1
-            self.cache[key] = (
-                minimum_filter(depths, size=size, mode="constant", cval=np.inf),
-                maximum_filter(depths, size=size, mode="constant", cval=np.inf),
+            self.cache[reach] = (
+                minimum_filter(self.occluders, size=size, mode="constant", cval=np.inf),
+                maximum_filter(self.occluders, size=size, mode="constant", cval=np.inf),
             )
-        return self.cache[key]
+        return self.cache[reach]
 
     def thickness(
         self, position_mm: FloatArray, normal: FloatArray, offset_mm: float, radius_mm: float, taps: int
@@ -152,14 +130,16 @@ class ShadowMap:
         y = (0.5 - 0.5 * clip[:, 1] / w) * MAP_SIZE
         return x, y, -seen[:, 2], np.abs(w) * 2.0 / (self.projection[0, 0] * MAP_SIZE)
 
-    def _slopes(self, normal: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Change of depth per mm along the map's x and y (down), and the cosine to its axis."""
+    def _slopes(
+        self, normal: FloatArray, steepest: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Change of depth per mm along the map's x and y (down)."""
         n = normal @ self.view[:3, :3].T
-        facing = n[:, 2]
-        steep = np.where(np.abs(facing) < 1e-6, 1e-6, facing)
-        slope_x, slope_y = n[:, 0] / steep, -n[:, 1] / steep
-        excess = np.maximum(np.hypot(slope_x, slope_y) / STEEPEST_SLOPE, 1.0)
-        return slope_x / excess, slope_y / excess, facing
+        facing = np.maximum(n[:, 2], 1e-3)
+        slope_x, slope_y = n[:, 0] / facing, -n[:, 1] / facing
+        excess = np.maximum(np.hypot(slope_x, slope_y) / steepest, 1.0)
+        return slope_x / excess, slope_y / excess
+
 
 def _compared(depths: FloatArray, x: FloatArray, y: FloatArray, depth: FloatArray) -> FloatArray:
     """Percentage-closer: compare four texels, then interpolate."""
@@ -189,7 +169,7 @@ def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
     seen = points @ view[:3, :3].T + view[:3, 3]
     clip = seen @ projection[:, :3].T + projection[:, 3]
     first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
-    return ShadowMap(view, projection, first, away, np.minimum(away, first + ATTACHED_MM))
+    return ShadowMap(view, projection, first, np.minimum(away, first + ATTACHED_MM))
 
 
 def _hemisphere_disk(taps: int) -> FloatArray:

@@ -125,7 +125,7 @@ def _direct(
     for light, shadow_map in lights:
         to_light, irradiance = light.at(mesh.positions_mm)
         lit = shadow_map.shadow_filter(
-            mesh.positions_mm, mesh.normals, curvature, filter_width_mm
+            mesh.positions_mm, mesh.normals, to_light, curvature, filter_width_mm
         )
         cosine = np.maximum(dot(mesh.normals, to_light), 0.0)
         total += (cosine * lit)[:, None] * irradiance / np.pi
