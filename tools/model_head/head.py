@@ -14,11 +14,13 @@ def unevenness(p: Array) -> Array:
     """Shift ``(N, 3)`` of 1-2 mm by which the two halves differ, as in every grown face."""
     x, y, z = p[:, 0], p[:, 1], p[:, 2]
     face = np.exp(-0.5 * ((z - 85.0) / 45.0) ** 2)
-    dx = face * (1.1 * np.exp(-0.5 * ((y + 38.0) / 20.0) ** 2) - 0.9 * np.exp(
-        -0.5 * ((y + 100.0) / 22.0) ** 2))
-    dy = face * 0.7 * np.tanh(x / 25.0) * (np.exp(-0.5 * ((y + 69.0) / 12.0) ** 2) - 1.1 * np.exp(
-        -0.5 * ((y - 12.0) / 16.0) ** 2)) + 1.6 * np.tanh(x / 60.0) * np.exp(
-        -0.5 * ((z + 15.0) / 30.0) ** 2)
+    dx = face * (
+        1.1 * np.exp(-0.5 * ((y + 38.0) / 20.0) ** 2)
+        - 0.9 * np.exp(-0.5 * ((y + 100.0) / 22.0) ** 2)
+    )
+    dy = face * 0.7 * np.tanh(x / 25.0) * (
+        np.exp(-0.5 * ((y + 69.0) / 12.0) ** 2) - 1.1 * np.exp(-0.5 * ((y - 12.0) / 16.0) ** 2)
+    ) + 1.6 * np.tanh(x / 60.0) * np.exp(-0.5 * ((z + 15.0) / 30.0) ** 2)
     dz = 0.9 * np.tanh(x / 40.0) * np.exp(-0.5 * ((y + 20.0) / 50.0) ** 2)
     return np.stack([dx, dy, dz], axis=1)
 

@@ -32,17 +32,26 @@ def polygonise(field: Field, step_mm: float, *, block: int = 8) -> tuple[Array, 
     """
     coarse_mm = step_mm * block
     counts = np.ceil((HIGH_MM - LOW_MM) / coarse_mm).astype(int)
-    centres = np.stack(
-        np.meshgrid(*[np.arange(n) + 0.5 for n in counts], indexing="ij"), axis=-1
-    ).reshape(-1, 3) * coarse_mm + LOW_MM
+    centres = (
+        np.stack(
+            np.meshgrid(*[np.arange(n) + 0.5 for n in counts], indexing="ij"), axis=-1
+        ).reshape(-1, 3)
+        * coarse_mm
+        + LOW_MM
+    )
     far = evaluate(field, centres)
     keep = np.abs(far) < coarse_mm * 0.9 * 1.6 + 3.0
-    volume = np.repeat(np.repeat(np.repeat(
-        np.clip(far, -1e3, 1e3).reshape(counts).astype(np.float32), block, 0), block, 1), block, 2)
-    inner = np.stack(
-        np.meshgrid(*[np.arange(block)] * 3, indexing="ij"), axis=-1
-    ).reshape(-1, 3)
-    corners = (np.stack(np.unravel_index(np.flatnonzero(keep), counts), axis=1) * block)
+    volume = np.repeat(
+        np.repeat(
+            np.repeat(np.clip(far, -1e3, 1e3).reshape(counts).astype(np.float32), block, 0),
+            block,
+            1,
+        ),
+        block,
+        2,
+    )
+    inner = np.stack(np.meshgrid(*[np.arange(block)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    corners = np.stack(np.unravel_index(np.flatnonzero(keep), counts), axis=1) * block
     for i in range(0, len(corners), 64):
         at = (corners[i : i + 64, None, :] + inner[None]).reshape(-1, 3)
         volume[at[:, 0], at[:, 1], at[:, 2]] = evaluate(field, at * step_mm + LOW_MM)

@@ -10,8 +10,14 @@ from .fields import Array, along, ramp, spline
 from .head import head, unevenness
 from .mesh import evaluate
 
-_BROW = [(13.0, 18.0, 95, 3.7), (20, 20.4, 92, 4.4), (30, 23.2, 89, 4.0), (39, 24.6, 84, 3.1),
-         (47, 22.4, 77, 2.1), (53.5, 18.4, 68, 0.9)]
+_BROW = [
+    (13.0, 18.0, 95, 3.7),
+    (20, 20.4, 92, 4.4),
+    (30, 23.2, 89, 4.0),
+    (39, 24.6, 84, 3.1),
+    (47, 22.4, 77, 2.1),
+    (53.5, 18.4, 68, 0.9),
+]
 
 
 def thickness_mm(p: Array, normals: Array, limit_mm: float = 12.0) -> Array:

@@ -134,9 +134,7 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
     cost = np.linalg.norm(a - b, axis=1) * (1.0 + 0.15 * off + 1e3 * on_rim)
     n = len(vertices)
     graph = coo_matrix((cost, (edges[:, 0], edges[:, 1])), shape=(n, n)).tocsr()
-    _, before = dijkstra(
-        graph, directed=False, indices=np.array([start]), return_predecessors=True
-    )
+    _, before = dijkstra(graph, directed=False, indices=np.array([start]), return_predecessors=True)
     path = [int(end)]
     while path[-1] != start:
         path.append(int(before[0, path[-1]]))
@@ -154,7 +152,8 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
         ahead = path[k + 1]
         # the face to the left of the directed edge v -> ahead
         seed = next(
-            t for t in fan
+            t
+            for t in fan
             if any(faces[t][i] == v and faces[t][(i + 1) % 3] == ahead for i in range(3))
         )
         chosen, queue = {seed}, [seed]
@@ -210,7 +209,5 @@ def tutte(faces: Faces, count: int) -> Array:
     free = np.setdiff1d(np.arange(count), outer)
     degree = np.asarray(links.sum(axis=1)).ravel()
     lap = csr_matrix((degree, (range(count), range(count)))) - links
-    uv[free] = np.asarray(
-        spsolve(lap[free][:, free].tocsc(), -(lap[free][:, outer] @ uv[outer]))
-    )
+    uv[free] = np.asarray(spsolve(lap[free][:, free].tocsc(), -(lap[free][:, outer] @ uv[outer])))
     return uv

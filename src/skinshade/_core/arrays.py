@@ -9,7 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from .errors import ArgumentError
 
-__all__ = ["FloatArray", "ImageArray", "IntArray", "as_faces", "as_floats", "as_rgb", "dot", "unit_vectors"]
+__all__ = [
+    "FloatArray",
+    "ImageArray",
+    "IntArray",
+    "as_faces",
+    "as_floats",
+    "as_rgb",
+    "dot",
+    "unit_vectors",
+]
 
 FloatArray = NDArray[np.float64]
 ImageArray = NDArray[np.float32]
@@ -60,11 +69,15 @@ def as_floats(
     return array
 
 
-def as_rgb(name: str, value: ArrayLike, *, low: float = -np.inf, high: float = np.inf) -> FloatArray:
+def as_rgb(
+    name: str, value: ArrayLike, *, low: float = -np.inf, high: float = np.inf
+) -> FloatArray:
     """Return `value` as three channels, repeating a scalar."""
     array = as_floats(name, value, low=low, high=high)
     if array.shape not in ((), (3,)):
-        raise ArgumentError(f"{name}: shape is {array.shape}; it must be one number or three (R, G, B)")
+        raise ArgumentError(
+            f"{name}: shape is {array.shape}; it must be one number or three (R, G, B)"
+        )
     return np.array(np.broadcast_to(array, (3,)))
 
 

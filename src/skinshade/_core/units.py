@@ -22,7 +22,9 @@ def checked_unit_mm(unit_mm: float, what: str) -> float:
     """
     value = float(unit_mm)
     if not (math.isfinite(value) and value > 0.0):
-        raise UnitError(f"{what}: unit_mm is {unit_mm}; it must be a positive number of millimetres")
+        raise UnitError(
+            f"{what}: unit_mm is {unit_mm}; it must be a positive number of millimetres"
+        )
     return value
 
 
@@ -41,5 +43,7 @@ def parse_unit_mm(text: str) -> float:
         value = float(name)
     except ValueError:
         names = ", ".join(MM_PER_UNIT)
-        raise UnitError(f"unit {text!r} is neither a number of millimetres nor one of {names}") from None
+        raise UnitError(
+            f"unit {text!r} is neither a number of millimetres nor one of {names}"
+        ) from None
     return checked_unit_mm(value, "unit")

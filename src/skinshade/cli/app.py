@@ -43,8 +43,8 @@ def _options(
 
 
 def main() -> None:
-    """Run the command line; exit 0 when done, 2 where the input is at fault, 1 for anything else."""
-    warnings.showwarning = _show_warning
+    """Run the command line; exit 0 done, 2 the input is at fault, 1 anything else."""
+    warnings.showwarning = _show_warning  # type: ignore[assignment]  # ours takes any further arguments
     try:
         app()
     except SkinshadeError as error:
@@ -56,7 +56,7 @@ def main() -> None:
     except MemoryError:
         _complain("out of memory; a smaller --size or fewer --samples need less")
         sys.exit(1)
-    except Exception as error:  # noqa: BLE001 — the last line of defence: no traceback for users
+    except Exception as error:
         _complain(f"internal error: {type(error).__name__}: {error}")
         sys.exit(1)
 

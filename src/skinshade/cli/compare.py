@@ -47,7 +47,15 @@ def side_by_side(pictures: list[FloatArray], labels: list[str]) -> FloatArray:
     font = ImageFont.load_default(max(12, height // 34))
     for index, label in enumerate(labels):
         at = (index * width + width // 2, height - height // 28)
-        draw.text(at, label, fill=(235, 235, 235), font=font, anchor="ms", stroke_width=2, stroke_fill=(0, 0, 0))
+        draw.text(
+            at,
+            label,
+            fill=(235, 235, 235),
+            font=font,
+            anchor="ms",
+            stroke_width=2,
+            stroke_fill=(0, 0, 0),
+        )
         if index:
             draw.line([(index * width, 0), (index * width, height)], fill=(90, 90, 90))
     return np.asarray(row, dtype=np.float64) / 255.0

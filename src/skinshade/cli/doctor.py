@@ -15,7 +15,9 @@ __all__ = ["doctor_command"]
 
 def doctor_command() -> None:
     """Print versions, cores and backends."""
-    typer.echo(f"skinshade {__version__}, Python {platform.python_version()}, {platform.platform()}")
+    typer.echo(
+        f"skinshade {__version__}, Python {platform.python_version()}, {platform.platform()}"
+    )
     for package in ("numpy", "scipy", "trimesh", "OpenImageIO"):
         typer.echo(f"{package} {version(package)}")
     typer.echo(f"backend cpu: {os.cpu_count()} cores")

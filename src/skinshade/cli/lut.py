@@ -17,7 +17,9 @@ __all__ = ["app"]
 app = typer.Typer(help="Write a lookup table.", no_args_is_help=True)
 
 OUTPUT = typer.Option(..., "--output", "-o", help="File: .exr, .png (16 bits) or .npz.")
-PROFILE = typer.Option("skin-deon2007", "--profile", help="Diffusion profile; see skinshade profile.")
+PROFILE = typer.Option(
+    "skin-deon2007", "--profile", help="Diffusion profile; see skinshade profile."
+)
 RADIUS = typer.Option(
     CLASSIC_DIFFUSION_RADIUS_MM,
     "--diffusion-radius-mm",

@@ -24,7 +24,9 @@ def profile_command(
         for each in presets():
             record = preset_record(each)
             rms = "  ".join(f"{value:6.3f}" for value in Profile.preset(each).rms_radius_mm)
-            typer.echo(f"{each:<14} {record['kind']:<10} rms {rms} mm  {record['about']} [{record['source']}]")
+            typer.echo(
+                f"{each:<14} {record['kind']:<10} rms {rms} mm  {record['about']} [{record['source']}]"
+            )
         return
     chosen = Profile.preset(name).scaled(scale)
     for label, values, unit in (

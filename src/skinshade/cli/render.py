@@ -11,11 +11,12 @@ import typer
 
 from .._core.errors import ArgumentError, OutputError
 from .._core.units import parse_unit_mm
+from ..profile import Profile
 from ..render import DEBUG_VIEWS, RenderSettings
 from ..render.renderer import Renderer, display, open_renderer
-from ..profile import Profile
 from ..scene import DirectionalLight, Environment, Scene, load_scene
-from ..scene.heads import builtin_head, head_scene, model as load_model
+from ..scene.heads import builtin_head, head_scene
+from ..scene.heads import model as load_model
 from ..scene.images import write_image, write_png
 from .compare import parse_variant, side_by_side
 from .parse import numbers, size
@@ -25,33 +26,60 @@ __all__ = ["render_command"]
 
 
 def render_command(
-    model: Path = typer.Argument(None, help="GLB, glTF, OBJ, PLY, STL, or a scene in JSON; the built-in head without it."),
-    output: Path = typer.Option(Path("skin.png"), "--output", "-o", help="PNG, or EXR with linear light."),
-    picture_size: str = typer.Option("1280x720", "--size", help="WIDTHxHEIGHT; of each picture with --compare."),
+    model: Path = typer.Argument(
+        None, help="GLB, glTF, OBJ, PLY, STL, or a scene in JSON; the built-in head without it."
+    ),
+    output: Path = typer.Option(
+        Path("skin.png"), "--output", "-o", help="PNG, or EXR with linear light."
+    ),
+    picture_size: str = typer.Option(
+        "1280x720", "--size", help="WIDTHxHEIGHT; of each picture with --compare."
+    ),
     samples: int = typer.Option(4, help="Samples a pixel."),
     seed: int = typer.Option(0, help="Moves the samples; the same seed gives the same picture."),
     backend: str = typer.Option("auto", help="auto, cpu or gpu."),
-    shading: str = typer.Option("transfer", help="transfer, classic (2014) or lambert (no scattering)."),
+    shading: str = typer.Option(
+        "transfer", help="transfer, classic (2014) or lambert (no scattering)."
+    ),
     no_sss: bool = typer.Option(False, "--no-sss", help="The same as --shading lambert."),
-    tier: str = typer.Option("diffused-normals", help="Geometry for transfer: scalar, tensor or diffused-normals."),
-    deep_scatter_taps: int = typer.Option(8, help="Light through thin parts: 0 (off), 8 or 32 taps."),
+    tier: str = typer.Option(
+        "diffused-normals", help="Geometry for transfer: scalar, tensor or diffused-normals."
+    ),
+    deep_scatter_taps: int = typer.Option(
+        8, help="Light through thin parts: 0 (off), 8 or 32 taps."
+    ),
     debug_view: str = typer.Option(None, help=f"One of {', '.join(DEBUG_VIEWS)}."),
-    compare: str = typer.Option(None, help="Such as lambert,classic,transfer,transfer+deep: one labelled picture."),
-    turntable: int = typer.Option(0, help="Write this many frames of a turn, numbered, instead of one."),
-    unit_mm: str = typer.Option(None, help="Length of the model's unit in mm, or mm, cm, m, in, ft."),
+    compare: str = typer.Option(
+        None, help="Such as lambert,classic,transfer,transfer+deep: one labelled picture."
+    ),
+    turntable: int = typer.Option(
+        0, help="Write this many frames of a turn, numbered, instead of one."
+    ),
+    unit_mm: str = typer.Option(
+        None, help="Length of the model's unit in mm, or mm, cm, m, in, ft."
+    ),
     albedo: Path = typer.Option(None, help="Colour map."),
     normal_map: Path = typer.Option(None, help="Tangent-space normal map, +y up."),
     flip_v: bool = typer.Option(False, "--flip-v", help="The model's v counts from below."),
-    view: str = typer.Option(None, help="Camera: yaw,pitch in degrees around the head; 0,0 is in front."),
-    light: list[str] = typer.Option(None, help="yaw,pitch,intensity of a lamp; may be given again. For a scene in JSON, the name of its light."),
+    view: str = typer.Option(
+        None, help="Camera: yaw,pitch in degrees around the head; 0,0 is in front."
+    ),
+    light: list[str] = typer.Option(
+        None,
+        help="yaw,pitch,intensity of a lamp; may be given again. For a scene in JSON, the name of its light.",
+    ),
     env: Path = typer.Option(None, help="Equirectangular HDR that lights the head."),
     env_scale: float = typer.Option(1.0, help="Multiplies the environment."),
-    show_env: bool = typer.Option(False, "--show-env", help="Show the environment behind the head."),
+    show_env: bool = typer.Option(
+        False, "--show-env", help="Show the environment behind the head."
+    ),
     background: str = typer.Option(None, help="Linear r,g,b behind the head."),
     profile: str = typer.Option(None, help="Diffusion profile; see skinshade profile."),
     scatter_scale: float = typer.Option(None, help="Multiplies every length of the profile."),
     gloss: float = typer.Option(None, help="Of the specular lobe, 0..1."),
-    normal_strength: float = typer.Option(None, help="Multiplies the slopes of the normal map, 0..2."),
+    normal_strength: float = typer.Option(
+        None, help="Multiplies the slopes of the normal map, 0..2."
+    ),
     deep_scatter_strength: float = typer.Option(None, help="Multiplies light through thin parts."),
     exposure: float = typer.Option(None, help="Multiplies light before tone mapping."),
     tone: str = typer.Option(None, help="filmic or srgb."),
@@ -88,7 +116,9 @@ def render_command(
             typer.echo(f"{output}: {extent[0]}×{extent[1]}")
 
 
-def _check(extent: tuple[int, int], samples: int, turntable: int, output: Path, compare: str) -> None:
+def _check(
+    extent: tuple[int, int], samples: int, turntable: int, output: Path, compare: str
+) -> None:
     if not all(1 <= side <= 16384 for side in extent):
         raise ArgumentError(f"--size is {extent[0]}x{extent[1]}; each side must be 1..16384")
     if not 1 <= samples <= 256:
@@ -98,7 +128,9 @@ def _check(extent: tuple[int, int], samples: int, turntable: int, output: Path, 
     # Before minutes of work, not after.
     suffixes = (".png",) if compare else (".png", ".exr")
     if output.suffix.lower() not in suffixes:
-        raise ArgumentError(f"{output}: suffix {output.suffix!r}; it must be {' or '.join(suffixes)}")
+        raise ArgumentError(
+            f"{output}: suffix {output.suffix!r}; it must be {' or '.join(suffixes)}"
+        )
     if not output.parent.is_dir():
         raise OutputError(f"{output}: there is no folder {output.parent}")
 
@@ -166,7 +198,9 @@ def _retouched(
     exposure: float | None,
     tone: str | None,
 ) -> Scene:
-    scene = scene.with_params(**{name: value for name, value in changes.items() if value is not None})
+    scene = scene.with_params(
+        **{name: value for name, value in changes.items() if value is not None}
+    )
     if profile:
         material = replace(scene.material, profile=Profile.preset(profile))
         scene = replace(scene, material=material)

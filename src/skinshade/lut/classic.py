@@ -74,9 +74,7 @@ def classic_shadow_lut(
         light += step[..., None] * weights
     light *= np.clip(u / FADED_SHARE, 0.0, 1.0)[:, None]
     encoded = np.rint(_srgb(np.clip(light, 0.0, 1.0)) * 255.0) / 255.0
-    return Lut(
-        _linear(encoded).astype(np.float32), "shadow", columns, rows, _provenance(profile)
-    )
+    return Lut(_linear(encoded).astype(np.float32), "shadow", columns, rows, _provenance(profile))
 
 
 def _line_profile(mixture: GaussianMixture, x_mm: FloatArray) -> FloatArray:

@@ -53,7 +53,9 @@ def load_lut(path: str | os.PathLike[str]) -> Lut:
         axes = Axis(**record["columns"]), Axis(**record["rows"])
         return Lut(values, record["kind"], *axes, record["provenance"])
     except (KeyError, TypeError, ValueError) as error:
-        raise LutFileError(f"{file}: its description lacks or misstates something: {error}") from None
+        raise LutFileError(
+            f"{file}: its description lacks or misstates something: {error}"
+        ) from None
 
 
 def _write(path: Path, pixels: np.ndarray[Any, Any], kind: str, record: dict[str, Any]) -> None:
@@ -61,7 +63,12 @@ def _write(path: Path, pixels: np.ndarray[Any, Any], kind: str, record: dict[str
     spec.attribute(DESCRIPTION, json.dumps(record, sort_keys=True))
     spec.attribute("oiio:ColorSpace", "Linear")
     out = oiio.ImageOutput.create(str(path))
-    if out is None or not out.open(str(path), spec) or not out.write_image(pixels) or not out.close():
+    if (
+        out is None
+        or not out.open(str(path), spec)
+        or not out.write_image(pixels)
+        or not out.close()
+    ):
         raise OutputError(f"{path}: {out.geterror() if out else oiio.geterror()}")
 
 
@@ -79,7 +86,9 @@ def _read_image(file: Path) -> tuple[ImageArray, dict[str, Any]]:
     try:
         return pixels, json.loads(text)
     except (TypeError, ValueError):
-        raise LutFileError(f"{file}: carries no description of its axes; not a skinshade table") from None
+        raise LutFileError(
+            f"{file}: carries no description of its axes; not a skinshade table"
+        ) from None
 
 
 def _read_npz(file: Path) -> tuple[ImageArray, dict[str, Any]]:

@@ -115,4 +115,3 @@ def build_shadow_lut(
         "version": __version__,
     }
     return Lut(pinned.astype(np.float32), "shadow", columns, rows, provenance)
-

@@ -175,7 +175,9 @@ def _to_world(tensor: FloatArray, normals: FloatArray) -> FloatArray:
     k_uu, k_uv, k_vv = tensor[..., 0], tensor[..., 1], tensor[..., 2]
     su = k_uu[..., None] * u + k_uv[..., None] * v
     sv = k_uv[..., None] * u + k_vv[..., None] * v
-    return np.stack([su[..., i] * u[..., j] + sv[..., i] * v[..., j] for i, j in SYMMETRIC], axis=-1)
+    return np.stack(
+        [su[..., i] * u[..., j] + sv[..., i] * v[..., j] for i, j in SYMMETRIC], axis=-1
+    )
 
 
 def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -> FloatArray:
@@ -193,9 +195,7 @@ def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -
     return result
 
 
-def _edge_curvature(
-    p: FloatArray, faces: IntArray, normals: FloatArray, passes: int
-) -> FloatArray:
+def _edge_curvature(p: FloatArray, faces: IntArray, normals: FloatArray, passes: int) -> FloatArray:
     """Mean of the least and greatest |ΔN|/|ΔP| over the edges of a vertex; seams stay split."""
     count = p.shape[0]
     one, other = half_edges(faces)

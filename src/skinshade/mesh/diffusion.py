@@ -22,7 +22,7 @@ from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot
 from .._core.errors import MeshError
 from .._core.progress import Progress, silent
 from ..profile import Profile
-from .topology import weld
+from .topology import corner_areas, weld
 
 __all__ = ["diffuse_on_mesh", "mesh_diffused_normals"]
 
@@ -69,9 +69,10 @@ def diffuse_on_mesh(
         raise MeshError(f"values: shape is {v.shape} for {p.shape[0]} vertices")
     group, first = weld(p)
     flat = v.reshape(v.shape[0], -1)
-    welded = np.stack(
-        [np.bincount(group, column, first.size) for column in flat.T], axis=1
-    ) / np.bincount(group)[:, None]
+    welded = (
+        np.stack([np.bincount(group, column, first.size) for column in flat.T], axis=1)
+        / np.bincount(group)[:, None]
+    )
     stiffness, mass = _laplacian(p[first], group[f])
     result = np.zeros((*welded.shape, 3))
     for column in range(welded.shape[1]):
@@ -100,7 +101,7 @@ def _laplacian(p: FloatArray, faces: IntArray) -> tuple[csr_array, FloatArray]:
     corners = p[faces]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     double_area = np.sqrt(dot(normal, normal))
-    mass = np.bincount(faces.ravel(), np.repeat(double_area / 6.0, 3), count)
+    mass = corner_areas(p, faces, count)
     if not (mass > 0.0).all():
         at = int(np.argmin(mass))
         raise MeshError(f"vertex {at} at {p[at]}: the faces around it have no area")
@@ -159,7 +160,9 @@ def _transferred(
         beside.append(length)
         basis[step + 1] = vector / length
     else:
-        raise MeshError(f"diffusion has not converged in {MOST_STEPS} steps; are faces needle-like?")
+        raise MeshError(
+            f"diffusion has not converged in {MOST_STEPS} steps; are faces needle-like?"
+        )
     combined: FloatArray = basis[: weights.shape[0]].T @ weights
     return norm * combined / root[:, None]
 

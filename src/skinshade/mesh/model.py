@@ -150,6 +150,6 @@ def _given_normals(normals: ArrayLike | None, count: int, name: str) -> FloatArr
     array = np.array(normals, dtype=np.float64)
     if array.shape != (count, 3):
         raise MeshError(f"{name}: normals have shape {array.shape} for {count} vertices")
-    finite: NDArray[np.bool_] = np.isfinite(array).all(axis=1)
+    finite: NDArray[np.bool_] = np.asarray(np.isfinite(array).all(axis=1))
     array[~finite] = 0.0
     return unit_vectors(array)

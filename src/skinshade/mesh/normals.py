@@ -51,7 +51,10 @@ def vertex_tangents(
     along_u = (e1 * d2[:, 1:] - e2 * d1[:, 1:]) * np.sign(area)[:, None]
     along_v = (e2 * d1[:, :1] - e1 * d2[:, :1]) * np.sign(area)[:, None]
     count = positions.shape[0]
-    tangent, downward = _sum_at_corners(along_u, faces, count), _sum_at_corners(along_v, faces, count)
+    tangent, downward = (
+        _sum_at_corners(along_u, faces, count),
+        _sum_at_corners(along_v, faces, count),
+    )
     tangent -= normals * dot(tangent, normals)[:, None]
     lost = dot(tangent, tangent) <= 0.0
     tangent[lost] = tangent_frame(normals[lost])[0]

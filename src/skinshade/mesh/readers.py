@@ -53,7 +53,9 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     file = existing_file(path, MeshFileError)
     suffix = file.suffix.lower()
     if suffix not in SUFFIXES:
-        raise MeshFileError(f"{file}: {suffix or 'no suffix'}; a mesh is one of {' '.join(SUFFIXES)}")
+        raise MeshFileError(
+            f"{file}: {suffix or 'no suffix'}; a mesh is one of {' '.join(SUFFIXES)}"
+        )
     stated = suffix in (".glb", ".gltf")
     if unit_mm is None and not stated:
         raise UnitError(
@@ -96,7 +98,7 @@ def _parts(file: Path) -> list[dict[str, Any]]:
             geometry = scene.geometry[name]
             if isinstance(geometry, trimesh.Trimesh):
                 parts.append(_part(geometry, np.asarray(matrix, dtype=np.float64)))
-    except Exception as error:  # noqa: BLE001 — its readers raise whatever a corrupt byte leads to
+    except Exception as error:
         raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r}") from None
     if not parts:
         raise MeshFileError(f"{file}: holds no triangles")
@@ -123,7 +125,13 @@ def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:
         for key, value in geometry.vertex_attributes.items()
         if np.asarray(value).dtype.kind in "fiu" and np.asarray(value).ndim in (1, 2)
     }
-    return {"positions": positions, "faces": faces, "normals": normals, "uvs": uvs, "attributes": attributes}
+    return {
+        "positions": positions,
+        "faces": faces,
+        "normals": normals,
+        "uvs": uvs,
+        "attributes": attributes,
+    }
 
 
 def _joined(parts: list[dict[str, Any]], file: Path) -> dict[str, Any]:

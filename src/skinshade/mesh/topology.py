@@ -41,7 +41,7 @@ def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
 def corner_areas(positions: FloatArray, faces: IntArray, vertex_count: int) -> FloatArray:
     """Return (V,) a third of the area of the faces around each vertex."""
     thirds = np.repeat(face_areas(positions, faces) / 3.0, 3)
-    return np.bincount(faces.ravel(), thirds, vertex_count)
+    return np.bincount(faces.ravel(), thirds, vertex_count).astype(np.float64)
 
 
 def open_edge_counts(positions: FloatArray, faces: IntArray) -> dict[str, int]:

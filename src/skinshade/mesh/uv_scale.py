@@ -39,8 +39,8 @@ def mesh_uv_scale(positions: ArrayLike, uvs: ArrayLike, faces: ArrayLike) -> flo
     return float(np.exp(0.5 * np.mean(np.log(in_space[real]) - np.log(in_uv[real]))))
 
 
-def _longest_edge2(corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> np.ndarray[
-    tuple[int, ...], np.dtype[np.float64]
-]:
+def _longest_edge2(
+    corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
     step = corners - corners[:, [1, 2, 0]]
     return dot(step, step).max(axis=1, initial=0.0)

@@ -59,4 +59,6 @@ def checked_fields(instance: Any) -> None:
         array = np.asarray(value, dtype=np.float64)
         if not np.isfinite(array).all() or (array < m.low).any() or (array > m.high).any():
             unit = "" if m.unit == "1" else f" {m.unit}"
-            raise ArgumentError(f"{of.name} is {value}; it must lie in [{m.low:g}, {m.high:g}]{unit}")
+            raise ArgumentError(
+                f"{of.name} is {value}; it must lie in [{m.low:g}, {m.high:g}]{unit}"
+            )

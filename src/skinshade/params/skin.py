@@ -27,7 +27,11 @@ class SkinParams:
         0.028, "1", 0.0, 0.2, "Specular at normal incidence; .028 is skin's index 1.4."
     )
     shadow_filter_width_mm: float = number(
-        8.0, "mm", 1.0, 100.0, "Width across the light of the wide shadow filter, the same everywhere."
+        8.0,
+        "mm",
+        1.0,
+        100.0,
+        "Width across the light of the wide shadow filter, the same everywhere.",
     )
     shadow_sharpening: float = number(
         8.0, "1", 1.0, 100.0, "How many times narrower than the filter the cast shadow's edge is."
@@ -42,7 +46,11 @@ class SkinParams:
         2.5, "mm", 0.0, 20.0, "Radius of the disk over which thickness is averaged."
     )
     deep_scatter_sigma_per_mm: tuple[float, float, float] = number(
-        (0.0, 0.0, 0.0), "1/mm", 0.0, 50.0, "Decay of light that comes through; 0: 1.2/rms radius.",
+        (0.0, 0.0, 0.0),
+        "1/mm",
+        0.0,
+        50.0,
+        "Decay of light that comes through; 0: 1.2/rms radius.",
         "KubelkaMunk1931",
     )
     deep_scatter_tint: tuple[float, float, float] = number(

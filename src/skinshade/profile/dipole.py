@@ -37,7 +37,9 @@ class DipoleKernel:
     @property
     def sigma_tr_per_mm(self) -> FloatArray:
         """(3,) effective transport coefficient √(3σ_a σ_t'), 1/mm."""
-        return np.sqrt(3.0 * self.sigma_a_per_mm * (self.sigma_a_per_mm + self.sigma_s_prime_per_mm))
+        return np.sqrt(
+            3.0 * self.sigma_a_per_mm * (self.sigma_a_per_mm + self.sigma_s_prime_per_mm)
+        )
 
     @property
     def depths_mm(self) -> tuple[FloatArray, FloatArray]:

@@ -52,7 +52,9 @@ class GaussianMixture:
         lobes = as_floats("weights", weights, (variances.size, 3), low=0.0)
         totals = lobes.sum(axis=0)
         if (totals <= 0.0).any():
-            raise ArgumentError(f"weights sum to {totals} over the channels; each sum must be positive")
+            raise ArgumentError(
+                f"weights sum to {totals} over the channels; each sum must be positive"
+            )
         return cls(variances, lobes / totals)
 
     @property
@@ -105,7 +107,9 @@ def fit_gaussians(
     k = np.concatenate([[0.0], np.geomspace(0.01 / high, 0.5 / low, 400)])
     target = transfer(k)
     basis = np.exp(-0.5 * np.square(k[:, None] * sigmas))
-    rows = np.vstack([basis, np.full((1, FIT_LOBES), FIT_SUM_WEIGHT), FIT_RIDGE * np.eye(FIT_LOBES)])
+    rows = np.vstack(
+        [basis, np.full((1, FIT_LOBES), FIT_SUM_WEIGHT), FIT_RIDGE * np.eye(FIT_LOBES)]
+    )
     weights = np.empty((FIT_LOBES, 3))
     for channel in range(3):
         right = np.concatenate([target[:, channel], [FIT_SUM_WEIGHT], np.zeros(FIT_LOBES)])

@@ -35,4 +35,6 @@ def preset_record(name: str) -> dict[str, Any]:
     try:
         return _records()[name]
     except KeyError:
-        raise ArgumentError(f"there is no profile {name!r}; there are {', '.join(presets())}") from None
+        raise ArgumentError(
+            f"there is no profile {name!r}; there are {', '.join(presets())}"
+        ) from None

@@ -45,11 +45,15 @@ class TabulatedKernel:
         """
         edges = as_floats("edges_mm", edges_mm, (None,), low=0.0)
         if edges.size < 2 or (np.diff(edges) <= 0.0).any():
-            raise ArgumentError("edges_mm: the radii of the annuli must rise strictly, two at least")
+            raise ArgumentError(
+                "edges_mm: the radii of the annuli must rise strictly, two at least"
+            )
         values = as_floats("flux", flux, (3, edges.size - 1), low=0.0)
         totals = values.sum(axis=1, keepdims=True)
         if (totals <= 0.0).any():
-            raise ArgumentError(f"flux sums to {totals[:, 0]} over the channels; each must be positive")
+            raise ArgumentError(
+                f"flux sums to {totals[:, 0]} over the channels; each must be positive"
+            )
         return cls(edges, values / totals)
 
     @property

@@ -217,5 +217,7 @@ class Profile:
 def _albedo(value: ArrayLike) -> FloatArray:
     albedo = as_rgb("albedo", value, low=0.0, high=1.0)
     if (albedo >= 1.0).any():
-        raise ArgumentError(f"albedo is {albedo}; it must be below 1, else nothing is ever absorbed")
+        raise ArgumentError(
+            f"albedo is {albedo}; it must be below 1, else nothing is ever absorbed"
+        )
     return albedo

@@ -80,9 +80,7 @@ class Renderer(Protocol):
         """Return (H, W, 4) linear light and coverage."""
 
 
-def open_renderer(
-    scene: Scene, backend: Backend = "auto", progress: Progress = silent
-) -> Renderer:
+def open_renderer(scene: Scene, backend: Backend = "auto", progress: Progress = silent) -> Renderer:
     """Make a scene ready to be drawn many times.
 
     Raises

@@ -92,7 +92,9 @@ class Camera:
         Yaw 0 looks at a face that looks towards +z, 90 at its left side; pitch 90 looks down.
         """
         target = as_floats("target_mm", target_mm, (3,))
-        return cls(target + distance_mm * direction_of(yaw_deg, pitch_deg), target, vertical_fov_deg)
+        return cls(
+            target + distance_mm * direction_of(yaw_deg, pitch_deg), target, vertical_fov_deg
+        )
 
     def orbited(self, yaw_deg: float) -> Camera:
         """Return the camera turned about the vertical through its target."""
@@ -111,6 +113,4 @@ class Camera:
 def direction_of(yaw_deg: float, pitch_deg: float) -> FloatArray:
     """Return the unit vector (3,) at a yaw from +z towards +x and a pitch towards +y, degrees."""
     yaw, pitch = np.radians(yaw_deg), np.radians(pitch_deg)
-    return np.array(
-        [np.sin(yaw) * np.cos(pitch), np.sin(pitch), np.cos(yaw) * np.cos(pitch)]
-    )
+    return np.array([np.sin(yaw) * np.cos(pitch), np.sin(pitch), np.cos(yaw) * np.cos(pitch)])

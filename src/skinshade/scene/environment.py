@@ -64,8 +64,14 @@ class Environment:
     visible: bool = False
 
     def __post_init__(self) -> None:
-        if self.radiance.ndim != 3 or self.radiance.shape[2] != 3 or min(self.radiance.shape[:2]) < 2:
-            raise ArgumentError(f"environment: shape is {self.radiance.shape}; it must be (H, W, 3)")
+        if (
+            self.radiance.ndim != 3
+            or self.radiance.shape[2] != 3
+            or min(self.radiance.shape[:2]) < 2
+        ):
+            raise ArgumentError(
+                f"environment: shape is {self.radiance.shape}; it must be (H, W, 3)"
+            )
         if not np.isfinite(self.radiance).all() or self.radiance.min() < 0.0:
             raise ArgumentError("environment: radiance must be finite and not negative")
         as_floats("environment scale", self.scale, (), low=0.0)
@@ -103,7 +109,9 @@ class Environment:
             ((-0.75, 0.20, -0.60), 0.22, (1.2, 1.2, 1.2)),
         )
         for centre, radius, colour in panels:
-            angle = np.arccos(np.clip(directions @ (np.array(centre) / np.linalg.norm(centre)), -1, 1))
+            angle = np.arccos(
+                np.clip(directions @ (np.array(centre) / np.linalg.norm(centre)), -1, 1)
+            )
             edge = np.clip((radius - angle) / 0.12 + 0.5, 0.0, 1.0)[..., None]
             picture += np.array(colour) * edge * edge * (3.0 - 2.0 * edge)
         return cls(picture.astype(np.float32), scale)
@@ -221,7 +229,10 @@ def _shifted_to_centres(rows: FloatArray, width_in: int) -> FloatArray:
 
 
 def _bilinear(
-    levels: ImageArray, level: np.ndarray[tuple[int, ...], np.dtype[np.int64]], u: FloatArray, v: FloatArray
+    levels: ImageArray,
+    level: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
+    u: FloatArray,
+    v: FloatArray,
 ) -> FloatArray:
     _, height, width, _ = levels.shape
     x, y = u * width - 0.5, np.clip(v * height - 0.5, 0.0, height - 1.0)

@@ -14,14 +14,26 @@ Int32 = NDArray[np.int32]
 # Closed lid line of the built-in head's left (+X) and right eye, millimetres, inner corner first.
 LASH_LINES_MM = (
     (
-        (17.6, -3.2, 75.0), (21.3, -4.6, 76.4), (25.3, -5.7, 77.5),
-        (29.3, -6.2, 78.0), (33.3, -6.1, 77.9), (37.3, -5.4, 76.9),
-        (41.2, -4.0, 75.0), (44.2, -2.5, 72.5), (46.4, -1.1, 70.0),
+        (17.6, -3.2, 75.0),
+        (21.3, -4.6, 76.4),
+        (25.3, -5.7, 77.5),
+        (29.3, -6.2, 78.0),
+        (33.3, -6.1, 77.9),
+        (37.3, -5.4, 76.9),
+        (41.2, -4.0, 75.0),
+        (44.2, -2.5, 72.5),
+        (46.4, -1.1, 70.0),
     ),
     (
-        (-17.2, -2.6, 74.4), (-20.7, -4.0, 75.6), (-24.7, -5.0, 76.5),
-        (-28.7, -5.5, 77.0), (-32.7, -5.4, 76.7), (-36.7, -4.6, 75.7),
-        (-40.8, -3.1, 73.6), (-43.8, -1.6, 71.1), (-46.0, -0.1, 68.6),
+        (-17.2, -2.6, 74.4),
+        (-20.7, -4.0, 75.6),
+        (-24.7, -5.0, 76.5),
+        (-28.7, -5.5, 77.0),
+        (-32.7, -5.4, 76.7),
+        (-36.7, -4.6, 75.7),
+        (-40.8, -3.1, 73.6),
+        (-43.8, -1.6, 71.1),
+        (-46.0, -0.1, 68.6),
     ),
 )
 
@@ -102,8 +114,11 @@ def draw(
                 thin, fade = min(1.0, 0.4 + 4.0 * min(along, 1.0 - along)), 1.0
             points.append(
                 np.column_stack(
-                    [path[k] * (1 - t) + path[k + 1] * t, half_width_texels * thin,
-                     strength * shown[k + 1] * fade]
+                    [
+                        path[k] * (1 - t) + path[k + 1] * t,
+                        half_width_texels * thin,
+                        strength * shown[k + 1] * fade,
+                    ]
                 )
             )
     x, y, half, dark = np.concatenate(points).T
@@ -197,8 +212,13 @@ def lashes(
         length = rng.normal(4.6, 0.7, count).clip(2.5, 7.0) * (0.6 + 0.5 * np.sqrt(along))
         path, shown = trace(roots, heading, bend, length, owner, frame, 12)
         texel = _texel_mm(frame, owner[roots[:, 0], roots[:, 1]])
-        draw(canvas, path, shown, 0.5 * rng.uniform(0.12, 0.2, count) / texel,
-             rng.uniform(0.5, 0.85, count))
+        draw(
+            canvas,
+            path,
+            shown,
+            0.5 * rng.uniform(0.12, 0.2, count) / texel,
+            rng.uniform(0.5, 0.85, count),
+        )
         # the line itself, with what the nearest texels miss of its points made good
         dense = np.linspace(0.0, len(knots) - 1.0, 80)
         line_mm = np.column_stack([np.interp(dense, np.arange(len(knots)), k) for k in knots.T])
@@ -208,5 +228,11 @@ def lashes(
         off = np.einsum("nij,nj->ni", frame.to_texels[owner[row, column]], missed_mm)
         follow = np.column_stack([column + off[:, 0], row - off[:, 1]])
         follow = gaussian_filter1d(follow, 3.0, axis=0, mode="nearest")[:, None]
-        draw(canvas, follow, np.ones((80, 1)), np.array([0.24 / float(texel.mean())]),
-             np.array([0.7]), taper=False)
+        draw(
+            canvas,
+            follow,
+            np.ones((80, 1)),
+            np.array([0.24 / float(texel.mean())]),
+            np.array([0.7]),
+            taper=False,
+        )

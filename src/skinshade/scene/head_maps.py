@@ -94,8 +94,13 @@ def _ramp(value: Float32, low: float, high: float) -> Float32:
     return np.asarray(t * t * (3.0 - 2.0 * t), dtype=np.float32)
 
 
-def _spot(p: Float32, centre_mm: tuple[float, float, float], size_mm: tuple[float, float, float],
-          *, both: bool = True) -> Float32:
+def _spot(
+    p: Float32,
+    centre_mm: tuple[float, float, float],
+    size_mm: tuple[float, float, float],
+    *,
+    both: bool = True,
+) -> Float32:
     """Gaussian around a place, by default mirrored to the other half of the head."""
     x = np.abs(p[:, 0]) if both else p[:, 0]
     d = ((x - centre_mm[0]) / size_mm[0]) ** 2

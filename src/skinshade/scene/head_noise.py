@@ -34,9 +34,7 @@ def sample_smooth(volume: Float32, points_mm: Float32, feature_mm: float) -> Flo
     )
 
 
-def cellular_volume(
-    rng: np.random.Generator, samples: int, across: int
-) -> tuple[Float32, Float32]:
+def cellular_volume(rng: np.random.Generator, samples: int, across: int) -> tuple[Float32, Float32]:
     """Distances to the first and the gap to the second of scattered points, periodic.
 
     Two flat arrays of ``samples**3``; the unit is the mean spacing of the points, of which there

@@ -59,8 +59,11 @@ def rasterise(uvs: Float32, faces: Int32, size: int) -> Texels:
     step = np.stack([e2[:, 1], -e2[:, 0], -e1[:, 1], e1[:, 0]], axis=1) / divisor[:, None]
     first = low - a
     base = np.stack(
-        [step[:, 0] * first[:, 0] + step[:, 1] * first[:, 1],
-         step[:, 2] * first[:, 0] + step[:, 3] * first[:, 1]], axis=1,
+        [
+            step[:, 0] * first[:, 0] + step[:, 1] * first[:, 1],
+            step[:, 2] * first[:, 0] + step[:, 3] * first[:, 1],
+        ],
+        axis=1,
     )
     affine = np.concatenate([step, base], axis=1).astype(np.float32)
     corner_index = low[:, 1] * size + low[:, 0]
@@ -160,8 +163,11 @@ def texel_frame(positions_mm: Float32, uvs: Float32, faces: Int32, size: int) ->
     row_right = (tangent - shear[:, None] * row_up) / length[:, None]
     inverse = np.stack([row_right, row_up], axis=1)
     return TexelFrame(
-        length.astype(np.float32), shear.astype(np.float32), height.astype(np.float32),
-        np.stack([right, up], axis=1).astype(np.float32), inverse.astype(np.float32),
+        length.astype(np.float32),
+        shear.astype(np.float32),
+        height.astype(np.float32),
+        np.stack([right, up], axis=1).astype(np.float32),
+        inverse.astype(np.float32),
     )
 
 

@@ -156,11 +156,18 @@ def head_scene(
     )
     surroundings = Environment.studio(scale=0.55) if environment is None else environment
     return Scene(
-        mesh, camera, material, tuple(lights), surroundings, np.asarray(background, dtype=np.float64)
+        mesh,
+        camera,
+        material,
+        tuple(lights),
+        surroundings,
+        np.asarray(background, dtype=np.float64),
     )
 
 
-def fetch_scan(name: str, folder: str | os.PathLike[str] | None = None, base_url: str | None = None) -> list[Path]:
+def fetch_scan(
+    name: str, folder: str | os.PathLike[str] | None = None, base_url: str | None = None
+) -> list[Path]:
     """Fetch a public scan once, and refuse it if it is not the one that was promised.
 
     Parameters
@@ -194,12 +201,16 @@ def fetch_scan(name: str, folder: str | os.PathLike[str] | None = None, base_url
             fetched.append(
                 Path(
                     pooch.retrieve(
-                        address + file, known_hash=f"sha256:{sha256}", fname=file, path=place, progressbar=False
+                        address + file,
+                        known_hash=f"sha256:{sha256}",
+                        fname=file,
+                        path=place,
+                        progressbar=False,
                     )
                 )
             )
         except ValueError as error:
             raise DownloadError(f"{file}: is not the file that was promised: {error}") from None
-        except Exception as error:  # noqa: BLE001 — whatever the network does
+        except Exception as error:
             raise DownloadError(f"{address}{file}: cannot be fetched ({error})") from None
     return fetched

@@ -92,7 +92,11 @@ def write_exr(path: str | os.PathLike[str], linear: ImageArray) -> None:
     _write(path, np.asarray(linear, dtype=np.float32), "float")
 
 
-def _write(path: str | os.PathLike[str], pixels: np.ndarray[tuple[int, ...], np.dtype[np.generic]], kind: str) -> None:
+def _write(
+    path: str | os.PathLike[str],
+    pixels: np.ndarray[tuple[int, ...], np.dtype[np.generic]],
+    kind: str,
+) -> None:
     with atomic_write(path) as temporary:
         spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], kind)
         if pixels.shape[2] == 4:

@@ -23,8 +23,8 @@ from .camera import Camera
 from .environment import Environment
 from .images import read_linear
 from .lights import DirectionalLight, Light
-from .material import Material
 from .maps import read_normal_map
+from .material import Material
 
 __all__ = ["Scene", "load_scene"]
 

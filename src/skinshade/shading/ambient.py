@@ -85,7 +85,9 @@ def bounced_visibility(visibility: FloatArray, albedo: FloatArray) -> FloatArray
     a = 2.0404 * albedo - 0.3324
     b = -4.7951 * albedo + 0.6417
     c = 2.7552 * albedo + 0.6903
-    result: FloatArray = np.maximum(visibility, ((visibility * a + b) * visibility + c) * visibility)
+    result: FloatArray = np.maximum(
+        visibility, ((visibility * a + b) * visibility + c) * visibility
+    )
     return result
 
 

@@ -28,7 +28,14 @@ __all__ = ["TERMS", "Ambient", "Incident", "ShadingMode", "Skin", "Surface", "Ti
 ShadingMode = Literal["lambert", "classic", "transfer"]
 Tier = Literal["scalar", "tensor", "diffused-normals"]
 
-TERMS = ("direct", "deep_scatter", "specular", "ambient", "ambient_deep_scatter", "ambient_specular")
+TERMS = (
+    "direct",
+    "deep_scatter",
+    "specular",
+    "ambient",
+    "ambient_deep_scatter",
+    "ambient_specular",
+)
 """What `shade` returns: diffuse terms carry the albedo, all are radiance."""
 
 
@@ -251,7 +258,9 @@ def _seen_normals(skin: Skin, surface: Surface, mode: ShadingMode) -> FloatArray
     return normals.blend_normals(surface.fetched, skin.blend)
 
 
-def _lambert(skin: Skin, surface: Surface, seen: FloatArray, light: Incident) -> dict[str, FloatArray]:
+def _lambert(
+    skin: Skin, surface: Surface, seen: FloatArray, light: Incident
+) -> dict[str, FloatArray]:
     lit = shadow.sharpened_shadow(light.shadow_filter, skin.params.shadow_sharpening)
     cosine = np.maximum(dot(surface.sharp, light.to_light), 0.0)
     return {
@@ -260,7 +269,9 @@ def _lambert(skin: Skin, surface: Surface, seen: FloatArray, light: Incident) ->
     }
 
 
-def _classic(skin: Skin, surface: Surface, seen: FloatArray, light: Incident) -> dict[str, FloatArray]:
+def _classic(
+    skin: Skin, surface: Surface, seen: FloatArray, light: Incident
+) -> dict[str, FloatArray]:
     params = skin.params
     n_dot_l = dot(surface.mesh_normal, light.to_light)
     diffuse = classic.direct(

@@ -99,9 +99,7 @@ def ambient_specular_fresnel(
     return result
 
 
-def diffuse_share(
-    n_dot_v: FloatArray, gloss: FloatArray, reflectance: FloatArray
-) -> FloatArray:
+def diffuse_share(n_dot_v: FloatArray, gloss: FloatArray, reflectance: FloatArray) -> FloatArray:
     """Return the share (...) of light that the specular coat lets through to be diffused."""
     return 1.0 - ambient_specular_fresnel(n_dot_v, gloss, reflectance)
 

@@ -53,7 +53,9 @@ def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geomet
     both = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
     diffused = diffuse_on_mesh(points, mesh.faces, both, profile)
     if mesh.uvs is None:
-        tangent = np.concatenate([tangent_frame(mesh.normals)[0], np.ones((len(points), 1))], axis=1)
+        tangent = np.concatenate(
+            [tangent_frame(mesh.normals)[0], np.ones((len(points), 1))], axis=1
+        )
     else:
         tangent = vertex_tangents(points, mesh.normals, mesh.uvs, mesh.faces)
     columns: Columns = {

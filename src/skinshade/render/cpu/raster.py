@@ -7,9 +7,11 @@ no clipping; and perspective-correct derivatives are one subtraction away.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, IntArray
 
@@ -148,23 +150,25 @@ def _edge_functions(clip: FloatArray, faces: IntArray, size: tuple[int, int]) ->
 
 
 def _inside(
-    rows: FloatArray, x: FloatArray, y: FloatArray
-) -> tuple[np.ndarray[tuple[int], np.dtype[np.bool_]], FloatArray]:
+    rows: FloatArray, x: NDArray[np.floating], y: NDArray[np.floating]
+) -> tuple[NDArray[np.bool_], FloatArray]:
     edge = rows[..., 0] * x[:, None] + rows[..., 1] * y[:, None] + rows[..., 2]
     inside = (edge >= 0.0).all(axis=1) & (edge.sum(axis=1) > 0.0)
-    return inside, edge
+    return np.asarray(inside), edge
 
 
-def _candidates(  # type: ignore[no-untyped-def]  # a generator of three index arrays
+def _candidates(
     clip: FloatArray, faces: IntArray, size: tuple[int, int], offset: tuple[float, float]
-):
+) -> Iterator[tuple[IntArray, IntArray, IntArray]]:
     """Yield batches (face, x, y) of every pixel in the bounding box of every face."""
     width, height = size
     screen = _screen(clip, size)
-    behind = screen[:, 2] <= 1e-9
+    behind: NDArray[np.bool_] = np.asarray(screen[:, 2] <= 1e-9)
     xy = screen[:, :2] / np.where(behind, 1.0, screen[:, 2])[:, None]
     corners = xy[faces]
-    any_behind, all_behind = behind[faces].any(axis=1), behind[faces].all(axis=1)
+    each_behind = behind[faces]
+    any_behind = np.asarray(each_behind.any(axis=1))
+    all_behind = np.asarray(each_behind.all(axis=1))
     limit = np.array([width, height], dtype=np.float64)
     low = np.where(any_behind[:, None], 0.0, np.ceil(corners.min(axis=1) - offset))
     high = np.where(any_behind[:, None], limit - 1.0, np.floor(corners.max(axis=1) - offset))
@@ -182,7 +186,9 @@ def _candidates(  # type: ignore[no-untyped-def]  # a generator of three index a
         stop = max(stop, start + 1)
         batch = seen[start:stop]
         face = np.repeat(batch, count[batch])
-        within = np.arange(face.size) - np.repeat(ends[start:stop] - count[batch] - before, count[batch])
+        within = np.arange(face.size) - np.repeat(
+            ends[start:stop] - count[batch] - before, count[batch]
+        )
         y, x = np.divmod(within, extent[face, 0])
         yield face, x + low[face, 0], y + low[face, 1]
         start = stop

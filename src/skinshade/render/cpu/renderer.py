@@ -121,7 +121,9 @@ class CpuRenderer:
                 np.array([self.skin.params.normal_strength] * 2 + [1.0], dtype=np.float32)
             )
             maps["normal"] = steep / np.linalg.norm(steep, axis=2, keepdims=True)
-        return {name: build_texture(picture) for name, picture in maps.items() if picture is not None}
+        return {
+            name: build_texture(picture) for name, picture in maps.items() if picture is not None
+        }
 
     @cached_property
     def _uv_scale_mm(self) -> float:
@@ -149,9 +151,7 @@ class CpuRenderer:
         total: FloatArray = np.sum(list(terms.values()), axis=0)
         return total
 
-    def _surface(
-        self, chunk: Fragments, columns: Columns, camera: Camera, samples: int
-    ) -> Surface:
+    def _surface(self, chunk: Fragments, columns: Columns, camera: Camera, samples: int) -> Surface:
         params = self.skin.params
         normal = unit_vectors(columns["normal"])
         uv = columns["uv"]
@@ -172,10 +172,16 @@ class CpuRenderer:
         if "specular" in self._textures:
             factor, gloss = fetch("specular").T
             reflectance = params.reflectance * factor
-        albedo = fetch("albedo") if self._textures["albedo"].size > 1 else np.repeat(
-            self.scene.material.albedo.reshape(1, 3).astype(np.float64), ones.size, axis=0
+        albedo = (
+            fetch("albedo")
+            if self._textures["albedo"].size > 1
+            else np.repeat(
+                self.scene.material.albedo.reshape(1, 3).astype(np.float64), ones.size, axis=0
+            )
         )
-        tint = fetch("deep_scatter") if "deep_scatter" in self._textures else np.ones((ones.size, 3))
+        tint = (
+            fetch("deep_scatter") if "deep_scatter" in self._textures else np.ones((ones.size, 3))
+        )
         fetched = self._fetched_normals(columns, normal, uv, along_x, along_y)
         gloss = specular.gloss_of_relief(gloss, np.sqrt(dot(fetched[:, 0], fetched[:, 0])))
         return Surface(
@@ -210,7 +216,11 @@ class CpuRenderer:
         level = texture.level(along_x, along_y)
         fetched = []
         for sigma in (None, *sigmas):
-            at = level if sigma is None else blur_level(sigma, self._uv_scale_mm, texture.size, level)
+            at = (
+                level
+                if sigma is None
+                else blur_level(sigma, self._uv_scale_mm, texture.size, level)
+            )
             t = texture.sample(uv, at)
             fetched.append(tangent * t[:, :1] + bitangent * t[:, 1:2] + normal * t[:, 2:])
         return np.stack(fetched, axis=1)

@@ -85,7 +85,10 @@ class ShadowMap:
         radius = 0.5 * width_mm / texel_mm
         margin = np.hypot(*slope) * 0.5 * width_mm
         nearest, farthest = self._extremes(int(np.ceil(radius.max())) + 1)
-        at = (np.clip(y, 0, MAP_SIZE - 1).astype(np.int64), np.clip(x, 0, MAP_SIZE - 1).astype(np.int64))
+        at = (
+            np.clip(y, 0, MAP_SIZE - 1).astype(np.int64),
+            np.clip(x, 0, MAP_SIZE - 1).astype(np.int64),
+        )
         lit = np.ones(depth.size)
         lit[farthest[at] < depth - margin] = 0.0
         edge = np.flatnonzero((nearest[at] < depth + margin) & (farthest[at] >= depth - margin))
@@ -94,7 +97,9 @@ class ShadowMap:
         total = np.zeros(edge.size)
         for dx, dy in _hemisphere_disk(FILTER_TAPS):
             across, down = dx * radius, dy * radius
-            total += _compared(self.occluders, x + across, y + down, depth + rise_x * across + rise_y * down)
+            total += _compared(
+                self.occluders, x + across, y + down, depth + rise_x * across + rise_y * down
+            )
         lit[edge] = total / FILTER_TAPS
         return lit
 
@@ -109,7 +114,12 @@ class ShadowMap:
         return self.cache[reach]
 
     def thickness(
-        self, position_mm: FloatArray, normal: FloatArray, offset_mm: float, radius_mm: float, taps: int
+        self,
+        position_mm: FloatArray,
+        normal: FloatArray,
+        offset_mm: float,
+        radius_mm: float,
+        taps: int,
     ) -> FloatArray:
         """Return the mean depth (N,) of the body between the light and each point, mm."""
         x, y, depth, texel_mm = self._locate(inward_offset(position_mm, normal, offset_mm))
@@ -121,7 +131,9 @@ class ShadowMap:
             occluders[:, tap] = np.where(np.isfinite(found), found, depth)
         return thickness_from_depths(depth, occluders)
 
-    def _locate(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    def _locate(
+        self, position_mm: FloatArray
+    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Texel coordinates, depth and the size of a texel there, mm."""
         seen = position_mm @ self.view[:3, :3].T + self.view[:3, 3]
         clip = seen @ self.projection[:, :3].T + self.projection[:, 3]
@@ -130,9 +142,7 @@ class ShadowMap:
         y = (0.5 - 0.5 * clip[:, 1] / w) * MAP_SIZE
         return x, y, -seen[:, 2], np.abs(w) * 2.0 / (self.projection[0, 0] * MAP_SIZE)
 
-    def _slopes(
-        self, normal: FloatArray, steepest: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
+    def _slopes(self, normal: FloatArray, steepest: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Change of depth per mm along the map's x and y (down)."""
         n = normal @ self.view[:3, :3].T
         facing = np.maximum(n[:, 2], 1e-3)

@@ -90,12 +90,15 @@ def sky_light(
         arrived[facing] += lit[:, None] * share
         open_sky[facing] += share
         behind = np.flatnonzero(cosine < 0.0)
-        at = np.clip(y[behind], 0, MAP_SIZE - 1).astype(np.int64), np.clip(
-            x[behind], 0, MAP_SIZE - 1
-        ).astype(np.int64)
+        at = (
+            np.clip(y[behind], 0, MAP_SIZE - 1).astype(np.int64),
+            np.clip(x[behind], 0, MAP_SIZE - 1).astype(np.int64),
+        )
         wall = first[at]
         weight = -cosine[behind]
-        depth = np.maximum(-seen[behind, 2] - np.where(np.isfinite(wall), wall, -seen[behind, 2]), 0.0)
+        depth = np.maximum(
+            -seen[behind, 2] - np.where(np.isfinite(wall), wall, -seen[behind, 2]), 0.0
+        )
         # A texel's depth is uncertain by as much as a grazing wall rises within it.
         depth += radius / MAP_SIZE * np.sqrt(1.0 - weight * weight) / np.maximum(weight, 0.1)
         thickness[behind] += weight * depth

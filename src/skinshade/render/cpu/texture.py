@@ -55,7 +55,9 @@ class Texture:
         result[between] += share[between] * (above - result[between])
         return result
 
-    def _bilinear(self, uv: FloatArray, level: np.ndarray[tuple[int], np.dtype[np.int64]]) -> FloatArray:
+    def _bilinear(
+        self, uv: FloatArray, level: np.ndarray[tuple[int], np.dtype[np.int64]]
+    ) -> FloatArray:
         width, height, start = self.widths[level], self.heights[level], self.starts[level]
         x, y = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
         x0, y0 = np.floor(x), np.floor(y)
