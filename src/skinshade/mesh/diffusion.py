@@ -26,8 +26,6 @@ from .topology import corner_areas, weld
 
 __all__ = ["diffuse_on_mesh", "mesh_diffused_normals"]
 
-TOLERANCE = 1e-8
-"""Change of any coefficient of the answer at which the iteration stops, relative to the input."""
 CHECK_EVERY = 12
 MOST_STEPS = 3000
 
@@ -38,6 +36,7 @@ def diffuse_on_mesh(
     values: ArrayLike,
     profile: Profile,
     *,
+    tolerance: float = 1e-8,
     progress: Progress = silent,
 ) -> FloatArray:
     """Diffuse per-vertex values over the surface by each channel of a profile.
@@ -50,6 +49,9 @@ def diffuse_on_mesh(
         (V, ...) any quantity; irradiance, say, or normals.
     profile
         Any.
+    tolerance
+        Relative to the input's norm, 1e-12..1e-1: change of any coefficient of the answer at which
+        the iteration stops. Faces like needles and profiles with a sharp peak need many steps.
 
     Returns
     -------
@@ -65,6 +67,7 @@ def diffuse_on_mesh(
     p = as_floats("positions_mm", positions_mm, (None, 3))
     f = as_faces("faces", faces, p.shape[0])
     v = as_floats("values", values)
+    as_floats("tolerance", tolerance, (), low=1e-12, high=0.1)
     if v.ndim == 0 or v.shape[0] != p.shape[0]:
         raise MeshError(f"values: shape is {v.shape} for {p.shape[0]} vertices")
     group, first = weld(p)
@@ -78,7 +81,7 @@ def diffuse_on_mesh(
     for column in range(welded.shape[1]):
         progress("diffusing over the surface", column / welded.shape[1])
         result[:, column] = _transferred(
-            stiffness, mass, profile.kernel.transfer, welded[:, column]
+            stiffness, mass, profile.kernel.transfer, welded[:, column], tolerance
         )
     progress("diffusing over the surface", 1.0)
     return result[group].reshape(*v.shape, 3)
@@ -127,6 +130,7 @@ def _transferred(
     mass: FloatArray,
     transfer: Callable[[FloatArray], FloatArray],
     values: FloatArray,
+    tolerance: float,
 ) -> FloatArray:
     """Apply T(√(M⁻¹L)) to one column (n,) per channel, (n, 3), by Lanczos' iteration."""
     root = np.sqrt(mass)
@@ -154,7 +158,7 @@ def _transferred(
             weights = _small_function(diagonal, beside, transfer)
             padded = np.zeros_like(weights)
             padded[: previous.shape[0]] = previous
-            if exhausted or np.abs(weights - padded).max() < TOLERANCE:
+            if exhausted or np.abs(weights - padded).max() < tolerance:
                 break
             previous = weights
         beside.append(length)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Literal
 
 import numpy as np
@@ -221,6 +221,9 @@ class Ambient:
     through: FloatArray | None = None
 
 
+_Direct = Callable[[Skin, Surface, FloatArray, Incident], dict[str, FloatArray]]
+
+
 def shade(
     skin: Skin,
     surface: Surface,
@@ -232,13 +235,19 @@ def shade(
     """Return every term of `TERMS` as radiance (N, 3)."""
     zero = np.zeros_like(surface.albedo)
     terms = dict.fromkeys(TERMS, zero)
-    direct_of = {"lambert": _lambert, "classic": _classic, "transfer": _transfer(tier)}[mode]
+    gain = _gain(skin, surface) if mode == "transfer" else np.ones_like(zero)
+    methods: dict[ShadingMode, _Direct] = {
+        "lambert": _lambert,
+        "classic": _classic,
+        "transfer": partial(_transfer, tier=tier, gain=gain),
+    }
+    direct_of = methods[mode]
     seen = _seen_normals(skin, surface, mode)
     for light in lights:
         for name, value in direct_of(skin, surface, seen, light).items():
             terms[name] = terms[name] + value * light.radiance
     if surroundings is not None:
-        terms |= _ambient(skin, surface, seen, surroundings, mode)
+        terms |= _ambient(skin, surface, seen, surroundings, mode, gain)
     body = surface.albedo
     if mode != "classic":
         n_dot_v = dot(surface.mesh_normal, surface.view)
@@ -298,41 +307,46 @@ def _classic(
 
 
 def _transfer(
+    skin: Skin,
+    surface: Surface,
+    seen: FloatArray,
+    light: Incident,
+    *,
     tier: Tier,
-) -> Callable[[Skin, Surface, FloatArray, Incident], dict[str, FloatArray]]:
-    def terms(
-        skin: Skin, surface: Surface, seen: FloatArray, light: Incident
-    ) -> dict[str, FloatArray]:
-        params = skin.params
-        n_dot_l = dot(surface.mesh_normal, light.to_light)
-        edge = shadow.diffused_shadow(
-            skin.shadow, light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
+    gain: FloatArray,
+) -> dict[str, FloatArray]:
+    params = skin.params
+    n_dot_l = dot(surface.mesh_normal, light.to_light)
+    edge = shadow.diffused_shadow(
+        skin.shadow, light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
+    )
+    lit = shadow.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
+    result = {
+        "direct": _diffused(skin, surface, seen, light, tier, gain) * edge,
+        "specular": _specular(surface, light, lit),
+    }
+    if light.thickness_mm is not None:
+        # The profile's albedo is the body's; the texture's stays outside, where it is multiplied.
+        passed = deep_scatter.transmittance(
+            light.thickness_mm, skin.profile.albedo, skin.sigma_per_mm
         )
-        lit = shadow.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
-        result = {
-            "direct": _diffused(skin, surface, seen, light, tier) * edge,
-            "specular": _specular(surface, light, lit),
-        }
-        if light.thickness_mm is not None:
-            # The profile's albedo is the body's; the texture's stays outside, where it is multiplied.
-            passed = deep_scatter.transmittance(
-                light.thickness_mm, skin.profile.albedo, skin.sigma_per_mm
-            )
-            glow = deep_scatter.direct_deep_scatter(
-                passed / skin.profile.albedo,
-                dot(surface.blurred, light.to_light),
-                params.deep_scatter_strength,
-            )
-            result["deep_scatter"] = glow * _tint(skin, surface)
-        return result
-
-    return terms
+        glow = deep_scatter.direct_deep_scatter(
+            passed / skin.profile.albedo,
+            dot(surface.blurred, light.to_light),
+            params.deep_scatter_strength,
+        )
+        result["deep_scatter"] = glow * _tint(skin, surface)
+    return result
 
 
 def _diffused(
-    skin: Skin, surface: Surface, seen: FloatArray, light: Incident, tier: Tier
+    skin: Skin,
+    surface: Surface,
+    seen: FloatArray,
+    light: Incident,
+    tier: Tier,
+    gain: FloatArray,
 ) -> FloatArray:
-    gain = _gain(skin, surface)
     if tier == "scalar" or surface.tensor_world is None:
         return direct.direct_scalar(
             skin.sphere, seen, light.to_light, surface.curvature_per_mm, gain
@@ -352,11 +366,15 @@ def _diffused(
 
 
 def _ambient(
-    skin: Skin, surface: Surface, seen: FloatArray, surroundings: Ambient, mode: ShadingMode
+    skin: Skin,
+    surface: Surface,
+    seen: FloatArray,
+    surroundings: Ambient,
+    mode: ShadingMode,
+    gain: FloatArray,
 ) -> dict[str, FloatArray]:
     bands = None
     if mode == "transfer":
-        gain = _gain(skin, surface)
         k = np.sqrt(np.array([0.0, 2.0, 6.0])) * np.abs(surface.curvature_per_mm)[:, None]
         bands = skin.transfer(k) * gain[:, None, :]
     irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, seen, bands)
@@ -384,11 +402,11 @@ def _gain(skin: Skin, surface: Surface) -> FloatArray:
     if surface.diffused_curvature_per_mm is None:
         return energy_gain(skin.profile.albedo, rms, surface.curvature_per_mm)
     # Light leaves within ρ of where it entered: what counts is curvature averaged as far, per channel.
-    averaged = [
-        energy_gain(skin.profile.albedo, rms, surface.diffused_curvature_per_mm[:, c])[:, c]
-        for c in range(3)
-    ]
-    return np.stack(averaged, axis=1)
+    albedo, curvature = skin.profile.albedo, surface.diffused_curvature_per_mm
+    one = [slice(channel, channel + 1) for channel in range(3)]
+    return np.concatenate(
+        [energy_gain(albedo[c], rms[c], curvature[:, c][:, 0]) for c in one], axis=1
+    )
 
 
 def _specular(surface: Surface, light: Incident, lit: FloatArray) -> FloatArray:

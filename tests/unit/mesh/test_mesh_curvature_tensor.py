@@ -59,12 +59,14 @@ def test_a_tube_bends_around_and_not_along_its_axis(axis_angle):
     turn = Rotation.from_euler("x", axis_angle).as_matrix()
     tube = shapes.cylinder(2.0, 4.0, 64, 24)
     normals = tube.normals @ turn.T
-    t = mesh_curvature_tensor(tube.positions @ turn.T, tube.faces, normals)
+    t = mesh_curvature_tensor(tube.positions @ turn.T, tube.faces, normals, smoothing=0)
     axis = np.broadcast_to(turn @ (0.0, 0.0, 1.0), normals.shape)
     around = np.cross(axis, normals)
     world = tensor_to_world(t, normals)
     assert np.allclose(apply_symmetric(world, axis), 0.0, atol=tol.SPHERE_CURVATURE.value)
-    assert np.allclose(apply_symmetric(world, around), 0.5 * around, atol=tol.TUBE_TENSOR.value)
+    assert np.allclose(
+        apply_symmetric(world, around), 0.5 * around, atol=tol.SPHERE_CURVATURE.value
+    )
 
 
 def test_a_torus_bends_by_one_over_r_across():
@@ -96,7 +98,7 @@ def test_smoothing_a_tube_changes_nothing_but_its_turning():
     # The operator of a tube turns by one step of the grid from vertex to vertex.
     tube = shapes.cylinder(1.0, 2.0, 96, 32)
     rough, smooth = tensor(tube, smoothing=0), tensor(tube, smoothing=4)
-    assert np.abs(rough - smooth).max() <= tol.TUBE_TENSOR.value * 2.0
+    assert np.abs(rough - smooth).max() <= tol.TUBE_TENSOR.value
 
 
 def test_both_sides_of_a_seam_have_the_tensor_of_the_whole():

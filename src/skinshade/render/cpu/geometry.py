@@ -15,6 +15,9 @@ from .sky import SkyLight
 
 __all__ = ["Columns", "Geometry", "build_geometry"]
 
+DIFFUSION_TOLERANCE = 1e-4
+"""Of diffused normals: a tenth of what eight bits of a picture resolve."""
+
 Columns = dict[str, FloatArray]
 
 
@@ -51,7 +54,7 @@ def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geomet
     tensor = mesh_curvature_tensor(points, mesh.faces, mesh.normals)
     curvature = mesh_curvature(points, mesh.faces, mesh.normals)
     both = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
-    diffused = diffuse_on_mesh(points, mesh.faces, both, profile)
+    diffused = diffuse_on_mesh(points, mesh.faces, both, profile, tolerance=DIFFUSION_TOLERANCE)
     if mesh.uvs is None:
         tangent = np.concatenate(
             [tangent_frame(mesh.normals)[0], np.ones((len(points), 1))], axis=1

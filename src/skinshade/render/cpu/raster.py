@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..._core.arrays import FloatArray, IntArray
+from ..._core.arrays import FloatArray, IntArray, dot
 
 __all__ = ["Fragments", "depth_maps", "rasterize"]
 
@@ -64,30 +64,27 @@ def rasterize(
         Where within the pixel the sample is, 0..1 each, from the top left.
     """
     width, height = size
-    inverse = _edge_functions(clip, faces, size)
+    functions, _ = _edge_functions(clip, faces, size)
+    planes = _depth_planes(functions, clip[:, 3][faces])
     nearest = np.full(width * height, np.inf)
     winner = np.full(width * height, -1, dtype=np.int64)
-    depth_at = clip[:, 3][faces]
-    for face, x, y in _candidates(clip, faces, size, offset):
-        inside, edge = _inside(inverse[face], x + offset[0], y + offset[1])
-        face, pixel = face[inside], (y * width + x)[inside]
-        edge = edge[inside]
-        depth = np.einsum("ni,ni->n", edge, depth_at[face]) / edge.sum(axis=1)
+    for face, pixel, depth in _covered(clip, faces, size, offset, functions, planes):
         np.minimum.at(nearest, pixel, depth)
         first = depth == nearest[pixel]
         winner[pixel[first]] = face[first]
     pixel = np.flatnonzero(winner >= 0)
     face = winner[pixel]
-    rows = inverse[face]
-    x, y = pixel % width + offset[0], pixel // width + offset[1]
-    edge = rows[..., 0] * x[:, None] + rows[..., 1] * y[:, None] + rows[..., 2]
+    rows = functions[face]
+    x = (pixel % width + offset[0])[:, None]
+    y = (pixel // width + offset[1])[:, None]
+    edge = rows[..., 0] * x + rows[..., 1] * y + rows[..., 2]
     total = edge.sum(axis=1, keepdims=True)
     barycentric = edge / total
-    slopes = [
+    along_x, along_y = (
         (rows[..., axis] - barycentric * rows[..., axis].sum(axis=1, keepdims=True)) / total
         for axis in (0, 1)
-    ]
-    return Fragments(pixel, face, barycentric, *slopes)
+    )
+    return Fragments(pixel, face, barycentric, along_x, along_y)
 
 
 def depth_maps(
@@ -113,18 +110,15 @@ def depth_maps(
         in the second: no bias is needed, and its terminator is left to the curvature table.
     """
     width, height = size
-    inverse = _edge_functions(clip, faces, size)
-    corner_depth = depth_mm[faces]
-    corners = clip[faces][:, :, [0, 1, 3]]
-    turned_away = np.linalg.det(corners) < 0.0
+    functions, determinant = _edge_functions(clip, faces, size)
+    planes = _depth_planes(functions, depth_mm[faces])
+    # Screen y runs down, which turns the winding round.
+    faces_away = determinant > 0.0
     first = np.full(width * height, np.inf)
     away = np.full(width * height, np.inf)
-    for face, x, y in _candidates(clip, faces, size, (0.5, 0.5)):
-        inside, edge = _inside(inverse[face], x + 0.5, y + 0.5)
-        face, pixel, edge = face[inside], (y * width + x)[inside], edge[inside]
-        depth = np.einsum("ni,ni->n", edge, corner_depth[face]) / edge.sum(axis=1)
+    for face, pixel, depth in _covered(clip, faces, size, (0.5, 0.5), functions, planes):
         np.minimum.at(first, pixel, depth)
-        back = turned_away[face]
+        back = np.flatnonzero(faces_away[face])
         np.minimum.at(away, pixel[back], depth[back])
     return first.reshape(height, width), away.reshape(height, width)
 
@@ -137,24 +131,61 @@ def _screen(clip: FloatArray, size: tuple[int, int]) -> FloatArray:
     return np.stack([x, y, w], axis=1)
 
 
-def _edge_functions(clip: FloatArray, faces: IntArray, size: tuple[int, int]) -> FloatArray:
-    """(F, 3 corners, 3) coefficients of x, y, 1; all zero for a face seen edge-on."""
+def _edge_functions(
+    clip: FloatArray, faces: IntArray, size: tuple[int, int]
+) -> tuple[FloatArray, FloatArray]:
+    """Coefficients (F, 3 corners, 3) of x, y, 1, zero for a face seen edge-on; (F,) signed area."""
     a, b, c = np.moveaxis(_screen(clip, size)[faces], 1, 0)
-    rows = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
-    determinant = np.einsum("fi,fi->f", a, rows[:, 0])
+    rows = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)], axis=1)
+    determinant = dot(a, rows[:, 0])
     sound = np.abs(determinant) > 1e-12 * np.maximum(np.abs(a).max(axis=1) ** 2, 1e-300)
-    result: FloatArray = np.where(
-        sound[:, None, None], rows / np.where(sound, determinant, 1.0)[:, None, None], 0.0
-    )
-    return result
+    scale = np.where(sound, 1.0 / np.where(sound, determinant, 1.0), 0.0)
+    return rows * scale[:, None, None], determinant
 
 
-def _inside(
-    rows: FloatArray, x: NDArray[np.floating], y: NDArray[np.floating]
-) -> tuple[NDArray[np.bool_], FloatArray]:
-    edge = rows[..., 0] * x[:, None] + rows[..., 1] * y[:, None] + rows[..., 2]
-    inside = (edge >= 0.0).all(axis=1) & (edge.sum(axis=1) > 0.0)
-    return np.asarray(inside), edge
+def _depth_planes(functions: FloatArray, corner_depths: FloatArray) -> FloatArray:
+    """Coefficients (F, 6) of depth/w and of 1/w, both linear over the screen."""
+    over_w = np.einsum("fi,fik->fk", corner_depths, functions)
+    return np.concatenate([over_w, functions.sum(axis=1)], axis=1)
+
+
+def _covered(
+    clip: FloatArray,
+    faces: IntArray,
+    size: tuple[int, int],
+    offset: tuple[float, float],
+    functions: FloatArray,
+    planes: FloatArray,
+) -> Iterator[tuple[IntArray, IntArray, FloatArray]]:
+    """Yield batches (face, pixel, depth) of every sample within a face."""
+    # Component by component: sums over an axis of three are what NumPy is slowest at.
+    table = np.ascontiguousarray(functions.reshape(-1, 9).T)
+    depth_table = np.ascontiguousarray(planes.T)
+    for face, column, row in _candidates(clip, faces, size, offset):
+        x, y = column + offset[0], row + offset[1]
+        inside = np.ones(face.size, dtype=bool)
+        for corner in (0, 3, 6):
+            edge = table[corner][face] * x
+            edge += table[corner + 1][face] * y
+            edge += table[corner + 2][face]
+            inside &= edge >= 0.0
+        kept = np.flatnonzero(inside)
+        face, x, y = face[kept], x[kept], y[kept]
+        pixel = row[kept] * size[0] + column[kept]
+        a, b, c, d, e, f = (coefficients[face] for coefficients in depth_table)
+        over = d * x + e * y + f
+        front = over > 0.0
+        depth = (a * x + b * y + c) / np.where(front, over, 1.0)
+        if not front.all():
+            face, pixel, depth = face[front], pixel[front], depth[front]
+        yield face, pixel, depth
+
+
+def _cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    x = a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1]
+    y = a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2]
+    z = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    return np.stack([x, y, z], axis=1)
 
 
 def _candidates(

@@ -6,6 +6,8 @@ how thick the body is towards the part that it does not face.
 
 from __future__ import annotations
 
+import os
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,46 +68,23 @@ def sky_light(
     progress: Progress = silent,
 ) -> SkyLight:
     """Gather `SkyLight` from depth maps in `DIRECTIONS` directions."""
-    body_albedo, sigma_per_mm = skin.profile.albedo, skin.sigma_per_mm
     points, normals = mesh.positions_mm, mesh.normals
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     radius = 1.05 * float(np.sqrt(dot(points - centre, points - centre).max()))
     directions = _spread(DIRECTIONS)
     radiance = environment.preconvolved.sample(directions, np.full(DIRECTIONS, LOBE_POWER))
-    arrived, open_sky = np.zeros_like(points), np.zeros_like(points)
-    through, thickness = np.zeros_like(points), np.zeros(points.shape[0])
-    behind_weight = np.zeros(points.shape[0])
-    for index, direction in enumerate(directions):
-        progress("ambient light", index / DIRECTIONS)
-        view = look_at(centre + 2.0 * radius * direction, centre, np.roll(direction, 1))
-        seen = points @ view[:3, :3].T + view[:3, 3]
-        clip = seen @ parallel(radius, radius, 3.0 * radius)[:, :3].T
-        clip[:, 3] = 1.0
-        first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
-        x, y = (0.5 * clip[:, 0] + 0.5) * MAP_SIZE, (0.5 - 0.5 * clip[:, 1]) * MAP_SIZE
-        cosine = dot(normals, direction)
-        facing = np.flatnonzero(cosine > 0.0)
-        lit = _visible(away, x[facing], y[facing], -seen[facing, 2] - BIAS_MM)
-        share = cosine[facing, None] * radiance[index]
-        arrived[facing] += lit[:, None] * share
-        open_sky[facing] += share
-        behind = np.flatnonzero(cosine < 0.0)
-        at = (
-            np.clip(y[behind], 0, MAP_SIZE - 1).astype(np.int64),
-            np.clip(x[behind], 0, MAP_SIZE - 1).astype(np.int64),
+    total = np.zeros((points.shape[0], 11))
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        gathered = pool.map(
+            lambda pair: _from_direction(mesh, centre, radius, skin, *pair),
+            zip(directions, radiance, strict=True),
         )
-        wall = first[at]
-        weight = -cosine[behind]
-        depth = np.maximum(
-            -seen[behind, 2] - np.where(np.isfinite(wall), wall, -seen[behind, 2]), 0.0
-        )
-        # A texel's depth is uncertain by as much as a grazing wall rises within it.
-        depth += radius / MAP_SIZE * np.sqrt(1.0 - weight * weight) / np.maximum(weight, 0.1)
-        thickness[behind] += weight * depth
-        behind_weight[behind] += weight
-        passed = transmittance(depth, body_albedo, sigma_per_mm)
-        through[behind] += weight[:, None] * passed * radiance[index]
+        for index, part in enumerate(gathered):
+            progress("ambient light", index / DIRECTIONS)
+            total += part
     progress("ambient light", 1.0)
+    arrived, open_sky, through = total[:, 0:3], total[:, 3:6], total[:, 6:9]
+    thickness, behind_weight = total[:, 9], total[:, 10]
     solid_angle = 4.0 / DIRECTIONS  # 4π/n over π
     visibility = np.where(open_sky > 0.0, arrived / np.maximum(open_sky, 1e-12), 1.0)
     each_channel = np.repeat(normals[:, None], 3, axis=1)
@@ -117,6 +96,43 @@ def sky_light(
         _bounced(mesh, lit * mean_albedo, visibility),
         thickness / np.maximum(behind_weight, 1e-12),
     )
+
+
+def _from_direction(
+    mesh: Mesh,
+    centre: FloatArray,
+    radius: float,
+    skin: Skin,
+    direction: FloatArray,
+    radiance: FloatArray,
+) -> FloatArray:
+    """One direction's share (V, 11): light arrived, an open sky's, light through, thickness, weight."""
+    points, normals = mesh.positions_mm, mesh.normals
+    view = look_at(centre + 2.0 * radius * direction, centre, np.roll(direction, 1))
+    seen = points @ view[:3, :3].T + view[:3, 3]
+    clip = seen @ parallel(radius, radius, 3.0 * radius)[:, :3].T
+    clip[:, 3] = 1.0
+    depth = -seen[:, 2]
+    first, away = depth_maps(clip, depth, mesh.faces, (MAP_SIZE, MAP_SIZE))
+    x, y = (0.5 * clip[:, 0] + 0.5) * MAP_SIZE, (0.5 - 0.5 * clip[:, 1]) * MAP_SIZE
+    cosine = dot(normals, direction)
+    result = np.zeros((points.shape[0], 11))
+    facing = np.flatnonzero(cosine > 0.0)
+    lit = _visible(away, x[facing], y[facing], depth[facing] - BIAS_MM)
+    result[facing, 3:6] = cosine[facing, None] * radiance
+    result[facing, 0:3] = lit[:, None] * result[facing, 3:6]
+    behind = np.flatnonzero(cosine < 0.0)
+    column = np.clip(x[behind], 0, MAP_SIZE - 1).astype(np.int64)
+    row = np.clip(y[behind], 0, MAP_SIZE - 1).astype(np.int64)
+    weight = -cosine[behind]
+    wall = np.minimum(first[row, column], depth[behind])
+    # A texel's depth is uncertain by as much as a grazing wall rises within it.
+    uncertain = radius / MAP_SIZE * np.sqrt(1.0 - weight * weight) / np.maximum(weight, 0.1)
+    thick = depth[behind] - wall + uncertain
+    passed = transmittance(thick, skin.profile.albedo, skin.sigma_per_mm)
+    result[behind, 6:9] = weight[:, None] * passed * radiance
+    result[behind, 9], result[behind, 10] = weight * thick, weight
+    return result
 
 
 def _direct(

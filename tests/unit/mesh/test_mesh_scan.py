@@ -1,0 +1,114 @@
+"""The scanned head: known counts and size, and the same surface from both its files."""
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+import shapes
+import tolerances as tol
+from skinshade._core.errors import UnitError, UnitWarning
+from skinshade.mesh import (
+    Mesh,
+    load_mesh,
+    mesh_curvature,
+    mesh_diffused_normals,
+    mesh_uv_scale,
+)
+from skinshade.mesh.topology import weld
+
+SIZE_MM = (430.0, 400.0, 261.0)
+
+
+@pytest.fixture(scope="module")
+def glb(data_dir) -> Mesh:
+    return load_mesh(data_dir / "lps" / "LeePerrySmith.glb", unit_mm=50.35)
+
+
+@pytest.fixture(scope="module")
+def obj(data_dir) -> Mesh:
+    return load_mesh(data_dir / "lps" / "head.obj", unit_mm=10.0)
+
+
+def centred(mesh):
+    p = mesh.positions_mm
+    return p - 0.5 * (p.min(axis=0) + p.max(axis=0))
+
+
+def test_the_scan_has_its_known_counts_and_size(glb):
+    assert glb.positions.shape == (9279, 3)
+    assert glb.faces.shape == (17_684, 3)
+    assert glb.repairs == {}
+    assert glb.uvs is not None
+    extent = np.ptp(glb.positions_mm, axis=0)
+    assert np.abs(extent - SIZE_MM).max() <= tol.SCAN_SIZE_MM.value
+
+
+def test_both_files_are_one_surface(glb, obj):
+    assert len(obj.faces) == len(glb.faces)
+    extent = np.ptp(obj.positions_mm, axis=0) - np.ptp(glb.positions_mm, axis=0)
+    assert np.abs(extent).max() <= tol.SCAN_FILES_AGREE_MM.value
+    distance, _ = cKDTree(centred(glb)).query(centred(obj))
+    assert distance.max() <= tol.SCAN_FILES_AGREE_MM.value
+    assert weld(glb.positions)[1].size == weld(obj.positions)[1].size == 8844
+
+
+def test_both_files_keep_their_uvs(glb, obj):
+    assert obj.uvs is not None
+    scales = [mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces) for mesh in (glb, obj)]
+    assert scales[1] == pytest.approx(scales[0], rel=0.02)
+
+
+def test_both_files_have_the_same_curvature(glb, obj):
+    one = mesh_curvature(glb.positions_mm, glb.faces)
+    other = mesh_curvature(obj.positions_mm, obj.faces)
+    _, index = cKDTree(centred(glb)).query(centred(obj))
+    assert np.corrcoef(one[index], other)[0, 1] >= tol.SCAN_CORRELATION.value
+    scale = np.sqrt(np.mean(np.square(other)))
+    percent = np.arange(2, 99)
+    gap = np.percentile(one[index], percent) - np.percentile(other, percent)
+    assert np.abs(gap).max() <= tol.SCAN_CURVATURE.value * scale
+
+
+def test_the_scans_curvature_is_that_of_a_head(glb):
+    curvature = mesh_curvature(glb.positions_mm, glb.faces, glb.normals)
+    assert np.isfinite(curvature).all()
+    # Hollows as sharp as a nostril, folds as sharp as an ear's rim, half of it as flat as a brow.
+    low, middle, high = np.percentile(curvature, [1, 50, 99])
+    assert -1.0 < low < -0.1
+    assert 0.0 < middle < 0.02
+    assert 0.1 < high < 1.0
+
+
+def test_both_sides_of_the_scans_seams_have_one_curvature(glb):
+    group, first = weld(glb.positions)
+    curvature = mesh_curvature(glb.positions_mm, glb.faces, glb.normals)
+    assert len(first) < len(group)
+    assert np.array_equal(curvature, curvature[first][group])
+
+
+def test_the_scans_normals_are_near_those_of_its_surface(glb):
+    own = mesh_curvature(glb.positions_mm, glb.faces)
+    given = mesh_curvature(glb.positions_mm, glb.faces, glb.normals)
+    assert shapes.relative_rms(own, given) < 0.5
+
+
+@pytest.mark.slow
+def test_the_scans_diffused_normals_are_shorter_where_it_bends(glb, deon):
+    normals = mesh_diffused_normals(glb.positions_mm, glb.faces, glb.normals, deon)
+    length = np.linalg.norm(normals, axis=-1)
+    assert np.isfinite(normals).all()
+    curvature = np.abs(mesh_curvature(glb.positions_mm, glb.faces, glb.normals))
+    flat, sharp = curvature < np.percentile(curvature, 20), curvature > np.percentile(curvature, 95)
+    assert np.median(length[flat], axis=0).min() > 0.995
+    assert np.median(length[sharp][:, 0]) < 0.9
+    assert (np.median(length[sharp], axis=0)[:-1] < np.median(length[sharp], axis=0)[1:]).all()
+
+
+def test_the_scan_in_metres_would_be_a_statue_and_warns(data_dir):
+    with pytest.warns(UnitWarning, match=r"in metres, as glTF prescribes, it is 12\.8 m across"):
+        load_mesh(data_dir / "lps" / "LeePerrySmith.glb")
+
+
+def test_the_scans_obj_needs_its_unit(data_dir):
+    with pytest.raises(UnitError, match="do not say their unit"):
+        load_mesh(data_dir / "lps" / "head.obj")
