@@ -131,12 +131,14 @@ class Environment:
     def preconvolved(self) -> PreconvolvedRadiance:
         """Reflections at every roughness, by damping harmonics: exact, and smooth at any power."""
         picture = _averaged(self.radiance, WORK_SIZE)
-        nodes, weights = np.polynomial.legendre.leggauss(4 * BANDS)
+        # A lobe lives on one half of the sphere, where it is smooth.
+        nodes, weights = np.polynomial.legendre.leggauss(2 * BANDS)
+        nodes = 0.5 + 0.5 * nodes
         levels = []
         analysis, synthesis = _zonal_machinery(picture.shape[0], LEVEL_SIZE[1])
         spectrum = np.fft.rfft(picture, axis=1)[:, : BANDS + 1] / picture.shape[1]
         for power in POWERS:
-            lobe = np.maximum(nodes, 0.0) ** power
+            lobe = nodes**power
             damping = np.polynomial.legendre.legvander(nodes, BANDS).T @ (weights * lobe)
             damping /= weights @ lobe
             rows = np.zeros((LEVEL_SIZE[1], LEVEL_SIZE[0] // 2 + 1, 3), dtype=np.complex128)

@@ -122,15 +122,30 @@ end_header
 BROKEN = {
     "points only": (".obj", OBJ, MeshFileError, "no triangles"),
     "an index too high": (".obj", OBJ + "f 1 2 9\n", MeshFileError, "8"),
-    "nan in a position": (".obj", OBJ.replace("1 0 0", "1 nan 0") + "f 1 2 3\n", ArgumentError, "positions[1, 1] is nan"),
-    "infinity in a position": (".obj", OBJ.replace("1 0 0", "1 inf 0") + "f 1 2 3\n", ArgumentError, "positions[1, 1] is inf"),
+    "nan in a position": (
+        ".obj",
+        OBJ.replace("1 0 0", "1 nan 0") + "f 1 2 3\n",
+        ArgumentError,
+        "positions[1, 1] is nan",
+    ),
+    "infinity in a position": (
+        ".obj",
+        OBJ.replace("1 0 0", "1 inf 0") + "f 1 2 3\n",
+        ArgumentError,
+        "positions[1, 1] is inf",
+    ),
     "a face without area": (".obj", OBJ + "f 1 1 2\n", InputError, "area"),
-    "words for numbers": (".obj", OBJ.replace("1 0 0", "one 0 0") + "f 1 2 3\n", MeshFileError, "cannot be read"),
+    "words for numbers": (
+        ".obj",
+        OBJ.replace("1 0 0", "one 0 0") + "f 1 2 3\n",
+        MeshFileError,
+        "cannot be read",
+    ),
     "a ply index too high": (".ply", PLY.format(0, 7), ArgumentError, "faces[0, 2] is 7"),
     "a ply index negative": (".ply", PLY.format(0, -2), ArgumentError, "faces[0, 2] is -2"),
     "a ply nan": (".ply", PLY.format("nan", 2), ArgumentError, "positions[2, 0] is nan"),
     "a ply of one line": (".ply", PLY.format(0, 1), MeshError, "no face has an area"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("suffix", "text", "kind", "complaint"), BROKEN.values(), ids=BROKEN)

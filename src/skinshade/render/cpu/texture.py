@@ -76,11 +76,7 @@ def build_texture(picture: ImageArray) -> Texture:
     """Build the levels of a picture (H, W, C) by averaging whole blocks, down to one texel."""
     levels = [np.ascontiguousarray(picture, dtype=np.float32)]
     while max(levels[-1].shape[:2]) > 1:
-        height, width, channels = levels[-1].shape
-        fy, fx = (2 if height > 1 else 1), (2 if width > 1 else 1)
-        even = levels[-1][: height // fy * fy, : width // fx * fx]
-        blocks = even.reshape(height // fy, fy, width // fx, fx, channels)
-        levels.append(blocks.mean(axis=(1, 3), dtype=np.float32))
+        levels.append(_halved(_halved(levels[-1], 0), 1))
     counts = np.array([level.shape[0] * level.shape[1] for level in levels])
     return Texture(
         np.concatenate([level.reshape(-1, level.shape[2]) for level in levels]),
@@ -88,3 +84,15 @@ def build_texture(picture: ImageArray) -> Texture:
         np.array([level.shape[1] for level in levels]),
         np.array([level.shape[0] for level in levels]),
     )
+
+
+def _halved(picture: ImageArray, axis: int) -> ImageArray:
+    """Average neighbours along an axis; an odd last row or column is left out."""
+    count = picture.shape[axis] // 2 * 2
+    if count == 0:
+        return picture
+    even = (slice(None),) * axis
+    # Sums of slices: NumPy's mean over short axes takes five times as long.
+    result = picture[(*even, slice(0, count, 2))] + picture[(*even, slice(1, count, 2))]
+    result *= np.float32(0.5)
+    return result

@@ -1,0 +1,108 @@
+"""The performance table: what takes how long here, and what the same took elsewhere.
+
+Run by ``make bench``; prints Markdown. Times are the best of several runs, in this process and this run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+import skinshade as sk
+from skinshade.lut.classic import classic_curvature_lut, classic_shadow_lut
+
+DATA = Path(os.environ.get("SKINSHADE_DATA", Path(__file__).parents[2] / "shared" / "data"))
+
+
+def best_of(runs: int, work: Callable[[], object]) -> float:
+    """Return the least wall time of some runs, s."""
+    times = []
+    for _ in range(runs):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def icosphere(subdivisions: int) -> tuple[np.ndarray, np.ndarray]:
+    import trimesh
+
+    mesh = trimesh.creation.icosphere(subdivisions)
+    return np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int64)
+
+
+def picture(arguments: list[str]) -> tuple[float, float]:
+    """Return wall time (s) and peak memory (GiB) of the command line in a fresh process."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "skinshade", "render", *arguments, "-o", f"{folder}/p.png"]
+        start = time.perf_counter()
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        elapsed = time.perf_counter() - start
+    return elapsed, resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 2**20
+
+
+def rows(large: int) -> list[tuple[str, str, str, str]]:
+    profile = sk.Profile.preset("skin-deon2007")
+    table = []
+
+    def compare(what: str, target: str, ours: float, baseline: float, of: str) -> None:
+        table.append((what, f"{ours:.3f} s", target, f"{baseline / ours:.1f}× faster than {of}"))
+
+    ours = best_of(5, lambda: sk.build_curvature_lut(profile))
+    then = best_of(1, lambda: classic_curvature_lut(profile))
+    compare("curvature table 512²", "≤ 0.15 s", ours, then, f"2014's construction ({then:.2f} s)")
+    ours = best_of(5, lambda: sk.build_shadow_lut(profile))
+    then = best_of(1, lambda: classic_shadow_lut(profile))
+    compare("shadow table 512²", "≤ 0.2 s", ours, then, f"2014's construction ({then:.2f} s)")
+
+    points, faces = icosphere(large)
+    what = f"curvature, {points.shape[0]:,} vertices, 2 passes"
+    ours = best_of(2, lambda: sk.mesh_curvature(points, faces, points))
+    then = best_of(1, lambda: sk.mesh_curvature(points, faces, points, method="edges"))
+    compare(what, "≤ 1 s for 1 M", ours, then, f"method edges ({then:.2f} s)")
+
+    seconds, memory = picture([])
+    table.append(
+        ("built-in head, 1280×720, 4 samples", f"{seconds:.1f} s", "", f"{memory:.2f} GiB")
+    )
+    if DATA.is_dir():
+        scan = DATA / "lps"
+        maps = ["--albedo", f"{scan}/color.jpg", "--normal-map", f"{scan}/normal.jpg", "--flip-v"]
+        seconds, memory = picture(
+            [f"{scan}/LeePerrySmith.glb", "--unit-mm", "50.35", *maps]
+            + ["--env", f"{DATA}/env/venice_sunset_1k.hdr"]
+        )
+        what = "scan with maps and HDR, 1280×720, 4 samples"
+        table.append((what, f"{seconds:.1f} s", "≤ 8 s, ≤ 2 GiB", f"{memory:.2f} GiB"))
+    return table
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument(
+        "--subdivisions", type=int, default=8, help="of the icosphere; 8 is 655,362"
+    )
+    options = parser.parse_args()
+    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy"))
+    print(
+        f"skinshade {sk.__version__}, Python {platform.python_version()}, {packages}; "
+        f"{platform.machine()}, {os.cpu_count()} cores\n"
+    )
+    print("| work | time | must hold | beside |\n|---|---|---|---|")
+    for row in rows(options.subdivisions):
+        print("| " + " | ".join(row) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,151 @@
+"""The command itself, and how the other files here run it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio  # noqa: N813
+import pytest
+import trimesh
+
+import skinshade
+from skinshade.profile import presets
+from skinshade.scene.heads import SCANS
+
+SOURCE = str(Path(skinshade.__file__).parents[1])
+NONSENSE = b"\xff\xd8\xff\xe0" + bytes(range(256)) * 16
+
+
+def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """Run ``python -m skinshade`` in a folder, its output piped, as a script would."""
+    environment = os.environ | {"PYTHONPATH": SOURCE, "COLUMNS": "200", "NO_COLOR": "1"}
+    return subprocess.run(
+        [sys.executable, "-m", "skinshade", *words],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=300,
+        check=False,
+    )
+
+
+def contents(folder: Path) -> dict[str, bytes | None]:
+    return {
+        str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None
+        for path in sorted(folder.rglob("*"))
+    }
+
+
+def obj_text(positions: np.ndarray, faces: np.ndarray, uvs: np.ndarray | None = None) -> str:
+    lines = ["v " + " ".join(f"{x:.9g}" for x in p) for p in positions]
+    lines += [] if uvs is None else [f"vt {u:.6g} {v:.6g}" for u, v in uvs]
+    corner = "{0}" if uvs is None else "{0}/{0}"
+    lines += ["f " + " ".join(corner.format(i + 1) for i in face) for face in faces]
+    return "\n".join(lines) + "\n"
+
+
+def write_pixels(path: Path, pixels: np.ndarray, kind: str = "uint8") -> None:
+    out = oiio.ImageOutput.create(str(path))
+    assert out.open(str(path), oiio.ImageSpec(pixels.shape[1], pixels.shape[0], 3, kind))
+    assert out.write_image(np.ascontiguousarray(pixels))
+    out.close()
+
+
+def write_inputs(folder: Path) -> None:
+    """Good and bad files: a ball of 160 mm with UVs, and ways to spoil it, maps and scenes."""
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=80.0)
+    p, faces = np.array(ball.vertices), np.array(ball.faces)
+    uvs = 0.5 + p[:, :2] / 200.0
+    good = obj_text(p, faces, uvs)
+    lines = good.splitlines()
+    first_face = next(i for i, line in enumerate(lines) if line.startswith("f "))
+
+    def spoiled(at: int, line: str) -> str:
+        return "\n".join([*lines[:at], line, *lines[at + 1 :]]) + "\n"
+
+    texts = {
+        "ball.obj": good,
+        "bare.obj": obj_text(p, faces),
+        "nan.obj": spoiled(7, "v 1 nan 3"),
+        "infinite.obj": spoiled(7, "v 1 2 inf"),
+        "beyond.obj": spoiled(first_face, "f 1/1 99999/1 3/1"),
+        "zeroth.obj": spoiled(first_face, "f 0/1 5/5 9/9"),
+        "faceless.obj": obj_text(p, faces[:0]),
+        "empty.obj": "",
+        "line.obj": "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
+        "notes.txt": good,
+        "broken.json": "{nope",
+        "list.json": "[1]",
+    }
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    whole = trimesh.Trimesh(p / 1000.0, faces, process=False).export(file_type="glb")
+    (folder / "ball.glb").write_bytes(whole)
+    (folder / "cut.glb").write_bytes(whole[: len(whole) // 2])
+    (folder / "noise.glb").write_bytes(NONSENSE)
+    for name in ("noise.hdr", "noise.png", "noise.jpg", "noise.exr"):
+        (folder / name).write_bytes(NONSENSE)
+    grey = np.full((8, 16, 3), 128, dtype=np.uint8)
+    write_pixels(folder / "grey.png", grey)
+    write_pixels(folder / "sky.exr", np.full((8, 16, 3), 0.5, dtype=np.float32), "float")
+    (folder / "cut.png").write_bytes((folder / "grey.png").read_bytes()[:60])
+    write_pixels(folder / "nan.exr", np.full((8, 16, 3), np.nan, dtype=np.float32), "float")
+    write_pixels(folder / "objectspace.png", np.zeros((8, 16, 3), dtype=np.uint8))
+    write_scenes(folder)
+
+
+def write_scenes(folder: Path) -> None:
+    sun = {"irradiance_perpendicular": [3, 3, 3], "to_light": {"front": [0, 0, 1]}}
+    camera = {"position": [0, 0, 700], "target": [0, 0, 0], "vfov_deg": 20}
+    good = {"unit_mm": 1.0, "mesh": {"path": "ball.obj"}, "camera": camera, "sun": sun}
+    changes = {
+        "good": {},
+        "no-mesh": {"mesh": None},
+        "no-vfov": {"camera": {k: v for k, v in camera.items() if k != "vfov_deg"}},
+        "unit-is-text": {"unit_mm": "wide"},
+        "unit-is-zero": {"unit_mm": 0},
+        "camera-is-five": {"camera": 5},
+        "mesh-is-gone": {"mesh": {"path": "gone.glb"}},
+        "sky-is-five": {"environment": 5},
+        "colour-is-gone": {"textures": {"color": "gone.png"}},
+        "sun-is-a-list": {"sun": sun | {"to_light": [0, 0, 1]}},
+        "camera-is-flat": {"camera": camera | {"position": [0, 1]}},
+        "fov-is-zero": {"camera": camera | {"vfov_deg": 0}},
+        "radius-is-negative": {"materials": {"skin": {"radius_mm": [1, -1, 1]}}},
+    }
+    for name, change in changes.items():
+        record = {key: value for key, value in (good | change).items() if value is not None}
+        (folder / f"{name}.json").write_text(json.dumps(record), encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--version"], [skinshade.__version__]),
+        (["--help"], ["render", "profile", "lut", "assets", "doctor"]),
+        (["render", "--help"], ["--compare", "--turntable", "--debug-view", "--unit-mm", "--seed"]),
+        (["profile"], presets()),
+        (["assets", "list"], [*SCANS, SCANS["lee-perry-smith"].credit]),
+        (["doctor"], ["numpy", "trimesh", "backend cpu", "backend gpu"]),
+    ],
+    ids=lambda value: "-".join(value).strip("-") if isinstance(value, list) else None,
+)
+def test_it_tells_what_it_can_do(tmp_path, words, said):
+    outcome = run(tmp_path, *words)
+    assert outcome.returncode == 0, outcome.stderr
+    assert [word for word in said if word not in outcome.stdout] == []
+    assert outcome.stderr == ""
+    assert contents(tmp_path) == {}
+
+
+def test_without_a_command_it_shows_its_help_and_fails(tmp_path):
+    outcome = run(tmp_path)
+    assert outcome.returncode == 2
+    assert "render" in outcome.stdout + outcome.stderr
