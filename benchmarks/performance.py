@@ -80,8 +80,10 @@ def rows(large: int) -> list[tuple[str, str, str, str]]:
         scan = DATA / "lps"
         maps = ["--albedo", f"{scan}/color.jpg", "--normal-map", f"{scan}/normal.jpg", "--flip-v"]
         seconds, memory = picture(
-            [f"{scan}/LeePerrySmith.glb", "--unit-mm", "50.35", *maps]
-            + ["--env", f"{DATA}/env/venice_sunset_1k.hdr"]
+            [
+                *(f"{scan}/LeePerrySmith.glb", "--unit-mm", "50.35", *maps),
+                *("--env", f"{DATA}/env/venice_sunset_1k.hdr"),
+            ]
         )
         what = "scan with maps and HDR, 1280×720, 4 samples"
         table.append((what, f"{seconds:.1f} s", "≤ 8 s, ≤ 2 GiB", f"{memory:.2f} GiB"))

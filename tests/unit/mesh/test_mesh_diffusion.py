@@ -168,7 +168,7 @@ def test_two_steps_are_one_of_twice_the_variance(variance, field):
 
 
 @settings(max_examples=10)
-@given(st.floats(0.1, 10.0), FIELDS)
+@given(factor=st.floats(0.1, 10.0), field=FIELDS)
 def test_only_the_ratio_of_lengths_counts(factor, field, deon):
     one = diffuse_on_mesh(SMALL.positions, SMALL.faces, field, deon)
     other = diffuse_on_mesh(SMALL.positions * factor, SMALL.faces, field, deon.scaled(factor))

@@ -32,7 +32,7 @@ MAP_SIZE = 224
 LOBE_POWER = 12.0
 """Each direction stands for a lobe about as wide as the distance to its neighbours."""
 BIAS_MM = 1.5
-BOUNCE_REACH_MM = 25.0
+BOUNCE_REACH_MM = 35.0
 """Standard deviation of what a hidden direction is taken to see: a chin's distance
 from the neck, a nose's from the cheek."""
 
@@ -155,12 +155,12 @@ def _bounced(mesh: Mesh, radiosity: FloatArray, visibility: FloatArray) -> Float
     """Irradiance over π from directions that the body hides.
 
     In a deep cavity they see walls as dark as the point itself, across an open hollow the lit surface
-    nearby: as open as the point is, so far does it see.
+    nearby: the wider the point's view, by its angle, the farther it sees.
     """
     mean = _averaged_nearby(mesh, radiosity)
     openness = np.clip(visibility.mean(axis=1, keepdims=True), 0.0, 1.0)
-    seen = openness * mean + (1.0 - openness) * radiosity
-    return (1.0 - openness) * seen
+    across = np.sqrt(openness)
+    return (1.0 - openness) * (across * mean + (1.0 - across) * radiosity)
 
 
 def _averaged_nearby(mesh: Mesh, values: FloatArray) -> FloatArray:
