@@ -15,10 +15,14 @@ __all__ = [
     "IntArray",
     "as_faces",
     "as_floats",
+    "as_positions",
     "as_rgb",
     "dot",
     "unit_vectors",
 ]
+
+LARGEST_POSITION = 1e15
+"""Coordinates beyond it are no lengths of a body in any unit, and their fourth powers overflow."""
 
 FloatArray = NDArray[np.float64]
 ImageArray = NDArray[np.float32]
@@ -50,7 +54,10 @@ def as_floats(
         Names the argument, the first index at fault and its value.
     """
     try:
-        array = np.asarray(value, dtype=np.float64)
+        raw = np.asarray(value)
+        if raw.dtype.kind == "c":
+            raise TypeError("complex numbers")
+        array = raw.astype(np.float64)
     except (TypeError, ValueError) as error:
         raise ArgumentError(f"{name}: not an array of numbers ({error})") from None
     if shape is not None:
@@ -67,6 +74,17 @@ def as_floats(
     if bad.any():
         raise ArgumentError(f"{name}{_first(array, bad)}; it must lie in [{low:g}, {high:g}]")
     return array
+
+
+def as_positions(name: str, value: ArrayLike) -> FloatArray:
+    """Return `value` as (V, 3) positions whose squares and products stay within float64.
+
+    Raises
+    ------
+    ArgumentError
+        As `as_floats`; beyond ±`LARGEST_POSITION` too.
+    """
+    return as_floats(name, value, (None, 3), low=-LARGEST_POSITION, high=LARGEST_POSITION)
 
 
 def as_rgb(
@@ -89,7 +107,10 @@ def as_faces(name: str, value: ArrayLike, vertex_count: int) -> IntArray:
     ArgumentError
         If the shape is another, or an index is out of range.
     """
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise ArgumentError(f"{name}: not an array of indices ({error})") from None
     if array.ndim != 2 or array.shape[1] != 3:
         raise ArgumentError(f"{name}: shape is {array.shape}; it must be (any, 3)")
     if array.dtype.kind not in "iu":

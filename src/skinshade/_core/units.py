@@ -20,7 +20,10 @@ def checked_unit_mm(unit_mm: float, what: str) -> float:
     UnitError
         If it is zero, negative, NaN or infinite.
     """
-    value = float(unit_mm)
+    try:
+        value = float(unit_mm)
+    except (TypeError, ValueError):
+        value = math.nan
     if not (math.isfinite(value) and value > 0.0):
         raise UnitError(
             f"{what}: unit_mm is {unit_mm}; it must be a positive number of millimetres"

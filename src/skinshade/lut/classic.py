@@ -64,6 +64,7 @@ def classic_shadow_lut(
 ) -> Lut:
     """Return the 2014 shadow table, decoded: approximate position, faded dark end, sRGB in 8 bits."""
     width, height = checked_size(size)
+    sharpening = float(as_floats("sharpening", sharpening, (), low=1.0, high=100.0))
     columns, rows = shadow_axes(width_mm)
     u = columns.centres(width)
     p = (0.5 * (np.sqrt(u) - np.sqrt(1.0 - u))) * sharpening + 0.5

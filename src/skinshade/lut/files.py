@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +30,8 @@ def save_lut(lut: Lut, path: str | os.PathLike[str]) -> None:
     with atomic_write(path) as temporary:
         if suffix == ".npz":
             text = np.array(json.dumps(lut.description(), sort_keys=True))
-            np.savez_compressed(temporary, values=lut.values, description=text)
+            with temporary.open("wb") as stream:
+                np.savez_compressed(stream, values=lut.values, description=text)
         elif suffix == ".exr":
             _write(temporary, lut.values, "float", lut.description())
         else:
@@ -77,7 +77,10 @@ def _read_image(file: Path) -> tuple[ImageArray, dict[str, Any]]:
     if source is None:
         raise LutFileError(f"{file}: not an image ({oiio.geterror().strip()})")
     try:
-        text = source.spec().getattribute(DESCRIPTION)
+        try:
+            text = source.spec().getattribute(DESCRIPTION)
+        except UnicodeDecodeError:
+            text = None
         pixels = source.read_image("float")
     finally:
         source.close()
@@ -93,7 +96,7 @@ def _read_image(file: Path) -> tuple[ImageArray, dict[str, Any]]:
 
 def _read_npz(file: Path) -> tuple[ImageArray, dict[str, Any]]:
     try:
-        with np.load(file, allow_pickle=False) as archive:
+        with file.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
             return archive["values"], json.loads(str(archive["description"]))
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+    except Exception as error:  # zip, zlib, json and NumPy each raise their own on a wrong byte
         raise LutFileError(f"{file}: not a table saved by skinshade ({error})") from None

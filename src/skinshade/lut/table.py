@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
@@ -184,7 +185,10 @@ def checked_size(size: tuple[int, int]) -> tuple[int, int]:
     ------
     ArgumentError
     """
-    width, height = (int(n) for n in size)
+    try:
+        width, height = (operator.index(n) for n in size)
+    except (TypeError, ValueError):
+        raise ArgumentError(f"size is {size!r}; it must be (width, height) in texels") from None
     if not (2 <= width <= 16384 and 2 <= height <= 16384):
         raise ArgumentError(f"size is {width}×{height}; each side must be 2..16384 texels")
     return width, height

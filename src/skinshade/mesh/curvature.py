@@ -11,7 +11,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot, unit_vectors
+from .._core.arrays import (
+    FloatArray,
+    IntArray,
+    as_faces,
+    as_floats,
+    as_positions,
+    dot,
+    unit_vectors,
+)
 from .._core.errors import ArgumentError
 from .normals import tangent_frame, vertex_normals
 from .topology import corner_areas, half_edges, weld
@@ -60,9 +68,7 @@ def mesh_curvature(
     ArgumentError
         If an array has a wrong shape, a value is not finite or an index out of range.
     """
-    p, f, n = _checked(positions, faces, normals)
-    if not 0 <= smoothing <= 100:
-        raise ArgumentError(f"smoothing is {smoothing}; it must be 0..100 passes")
+    p, f, n = _checked(positions, faces, normals, smoothing)
     if method == "edges":
         return _edge_curvature(p, f, n, smoothing)
     if method != "shape-operator":
@@ -95,7 +101,7 @@ def mesh_curvature_tensor(
         vertex's normal; 1 per unit of `positions`, positive where convex. `tensor_to_world` turns
         them into what can be interpolated.
     """
-    p, f, n = _checked(positions, faces, normals)
+    p, f, n = _checked(positions, faces, normals, smoothing)
     group, first = weld(p)
     outward = _group_normals(n, group, first.size)
     welded, triangles = p[first], group[f]
@@ -121,9 +127,11 @@ def apply_symmetric(world: FloatArray, vectors: FloatArray) -> FloatArray:
 
 
 def _checked(
-    positions: ArrayLike, faces: ArrayLike, normals: ArrayLike | None
+    positions: ArrayLike, faces: ArrayLike, normals: ArrayLike | None, smoothing: int
 ) -> tuple[FloatArray, IntArray, FloatArray]:
-    p = as_floats("positions", positions, (None, 3))
+    if not 0 <= smoothing <= 100:
+        raise ArgumentError(f"smoothing is {smoothing}; it must be 0..100 passes")
+    p = as_positions("positions", positions)
     if p.shape[0] == 0:
         raise ArgumentError("positions: there are no vertices")
     f = as_faces("faces", faces, p.shape[0])
@@ -172,6 +180,8 @@ def _fit(
     ridge = FIT_RIDGE * total + np.finfo(np.float64).tiny
     xx, yy, middle = xx + ridge, yy + ridge, total + ridge
     determinant = xx * middle * yy - xy * xy * (xx + yy)
+    # A vertex without an edge has no curvature.
+    determinant = np.where(determinant > 0.0, determinant, np.inf)
     k_uu = (a * (middle * yy - xy * xy) - xy * (b * yy - xy * c)) / determinant
     k_uv = (xx * (b * yy - xy * c) - xy * a * yy) / determinant
     k_vv = (c * (xx * middle - xy * xy) - xy * (xx * b - xy * a)) / determinant
@@ -193,8 +203,9 @@ def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -
         return values
     area = corner_areas(p, faces, p.shape[0])
     at = faces.ravel()
-    uses = np.bincount(at, minlength=p.shape[0])
-    share = area[faces] / area[faces].sum(axis=1, keepdims=True)
+    uses = np.maximum(np.bincount(at, minlength=p.shape[0]), 1)
+    around = area[faces]
+    share = around / np.maximum(around.sum(axis=1, keepdims=True), np.finfo(np.float64).tiny)
     result = values.copy()
     for _ in range(passes):
         for column in range(values.shape[1]):

@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import eigh_tridiagonal
 from scipy.sparse import coo_array, csr_array, dia_array
+from scipy.sparse.csgraph import connected_components
 
-from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot
+from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, as_positions, dot
 from .._core.errors import MeshError
 from .._core.progress import Progress, silent
 from ..profile import Profile
@@ -64,7 +65,9 @@ def diffuse_on_mesh(
     ArgumentError, MeshError
         If an array is malformed, or the mesh has no area.
     """
-    p = as_floats("positions_mm", positions_mm, (None, 3))
+    p = as_positions("positions_mm", positions_mm)
+    if p.shape[0] == 0:
+        raise MeshError("positions_mm: there are no vertices")
     f = as_faces("faces", faces, p.shape[0])
     v = as_floats("values", values)
     as_floats("tolerance", tolerance, (), low=1e-12, high=0.1)
@@ -133,13 +136,17 @@ def _transferred(
     tolerance: float,
 ) -> FloatArray:
     """Apply T(√(M⁻¹L)) to one column (n,) per channel, (n, 3), by Lanczos' iteration."""
+    # Of what is constant over a connected part nothing changes: it is set aside, exactly.
+    part = connected_components(stiffness, directed=False)[1]
+    mean = (np.bincount(part, mass * values) / np.bincount(part, mass))[part]
+    values = values - mean
     root = np.sqrt(mass)
     scale = dia_array((1.0 / root[None, :], 0), shape=stiffness.shape)
     symmetric = csr_array(scale @ stiffness @ scale)
     start = root * values
     norm = float(np.linalg.norm(start))
-    if norm == 0.0:
-        return np.zeros((values.size, 3))
+    if norm <= 1e-14 * float(np.linalg.norm(root * mean)) or norm == 0.0:
+        return np.repeat(mean[:, None], 3, axis=1)
     basis = np.empty((CHECK_EVERY, values.size))
     basis[0] = start / norm
     diagonal: list[float] = []
@@ -153,12 +160,13 @@ def _transferred(
         for _ in range(2):  # twice is enough to stay orthogonal
             vector -= basis[: step + 1].T @ (basis[: step + 1] @ vector)
         length = float(np.linalg.norm(vector))
-        exhausted = length < 1e-12 * max(map(abs, diagonal))
+        exhausted = length <= 1e-12 * max(map(abs, diagonal))
         if exhausted or (step + 1) % CHECK_EVERY == 0:
-            weights = _small_function(diagonal, beside, transfer)
+            weights, unsure = _small_function(diagonal, beside, transfer, length)
             padded = np.zeros_like(weights)
             padded[: previous.shape[0]] = previous
-            if exhausted or np.abs(weights - padded).max() < tolerance:
+            settled = np.abs(weights - padded).max() < tolerance and unsure < tolerance
+            if exhausted or settled:
                 break
             previous = weights
         beside.append(length)
@@ -168,14 +176,22 @@ def _transferred(
             f"diffusion has not converged in {MOST_STEPS} steps; are faces needle-like?"
         )
     combined: FloatArray = basis[: weights.shape[0]].T @ weights
-    return norm * combined / root[:, None]
+    return mean[:, None] + norm * combined / root[:, None]
 
 
 def _small_function(
-    diagonal: list[float], beside: list[float], transfer: Callable[[FloatArray], FloatArray]
-) -> FloatArray:
-    """Return T(√H) e₁ (m, 3) of the tridiagonal matrix H that the iteration has found so far."""
+    diagonal: list[float],
+    beside: list[float],
+    transfer: Callable[[FloatArray], FloatArray],
+    next_length: float,
+) -> tuple[FloatArray, float]:
+    """Return T(√H) e₁ (m, 3) of the tridiagonal matrix H found so far, and how unsure it is.
+
+    While the lowest frequency is still sinking, a profile that lets only lower ones through seems to
+    let nothing through; its residual, times its share of the input, bounds what may yet appear.
+    """
     squares, vectors = eigh_tridiagonal(np.array(diagonal), np.array(beside[: len(diagonal) - 1]))
     response = transfer(np.sqrt(np.maximum(squares, 0.0)))
-    result: FloatArray = vectors @ (vectors[0][:, None] * response)
-    return result
+    weights: FloatArray = vectors @ (vectors[0][:, None] * response)
+    residual = next_length * abs(float(vectors[-1, 0])) / max(float(np.abs(squares).max()), 1e-300)
+    return weights, residual * abs(float(vectors[0, 0]))

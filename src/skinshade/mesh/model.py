@@ -8,7 +8,15 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, dot, unit_vectors
+from .._core.arrays import (
+    FloatArray,
+    IntArray,
+    as_faces,
+    as_floats,
+    as_positions,
+    dot,
+    unit_vectors,
+)
 from .._core.errors import MeshError
 from .._core.units import checked_unit_mm
 from .normals import vertex_normals
@@ -72,7 +80,7 @@ class Mesh:
         MeshError, ArgumentError
             Naming the mesh, the array, the index and the value.
         """
-        points = as_floats(f"{name}: positions", positions, (None, 3))
+        points = as_positions(f"{name}: positions", positions)
         if points.shape[0] == 0:
             raise MeshError(f"{name}: has no vertices")
         triangles = as_faces(f"{name}: faces", faces, points.shape[0])
@@ -103,6 +111,7 @@ class Mesh:
         if missing.any():
             repairs["normals computed"] = int(missing.sum())
             given[missing] = vertex_normals(points, triangles)[missing]
+            given = _any_face_normal_where_zero(given, points, triangles)
         repairs |= open_edge_counts(points, triangles)
         return cls(
             points,
@@ -126,6 +135,20 @@ class Mesh:
         return replace(self, uvs=self.uvs * (1.0, -1.0) + (0.0, 1.0))
 
 
+def _any_face_normal_where_zero(
+    normals: FloatArray, points: FloatArray, triangles: IntArray
+) -> FloatArray:
+    """Both sides of one sheet cancel out: there the normal of either will do."""
+    zero = ~normals.any(axis=1)
+    if not zero.any():
+        return normals
+    p = points[triangles]
+    of_face = unit_vectors(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
+    chosen = np.zeros_like(normals)
+    chosen[triangles.ravel()] = np.repeat(of_face, 3, axis=0)
+    return np.where(zero[:, None], chosen, normals)
+
+
 def _usable_faces(
     points: FloatArray, triangles: IntArray, repairs: dict[str, int], name: str
 ) -> IntArray:
@@ -147,7 +170,10 @@ def _usable_faces(
 def _given_normals(normals: ArrayLike | None, count: int, name: str) -> FloatArray:
     if normals is None:
         return np.zeros((count, 3))
-    array = np.array(normals, dtype=np.float64)
+    try:
+        array = np.array(normals, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise MeshError(f"{name}: normals are not an array of numbers ({error})") from None
     if array.shape != (count, 3):
         raise MeshError(f"{name}: normals have shape {array.shape} for {count} vertices")
     finite: NDArray[np.bool_] = np.asarray(np.isfinite(array).all(axis=1))

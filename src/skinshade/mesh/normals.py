@@ -87,9 +87,8 @@ def _quadric_normals(p: FloatArray, f: IntArray, normals: FloatArray) -> FloatAr
     one, other = half_edges(f)
     i, j = np.concatenate([one, other]), np.concatenate([other, one])
     d = p[j] - p[i]
-    d /= np.sqrt(np.bincount(i, dot(d, d), count) / np.maximum(np.bincount(i, minlength=count), 1))[
-        i, None
-    ]
+    spread = np.bincount(i, dot(d, d), count) / np.maximum(np.bincount(i, minlength=count), 1)
+    d /= np.sqrt(np.where(spread > 0.0, spread, 1.0))[i, None]
     u, v = tangent_frame(normals)
     x, y, z = dot(d, u[i]), dot(d, v[i]), dot(d, normals[i])
     terms = (x, y, x * x, x * y, y * y)

@@ -85,7 +85,7 @@ def _warn_of_size(mesh: Mesh, file: Path) -> None:
 def _parts(file: Path) -> list[dict[str, Any]]:
     import trimesh  # a third of a second to import
 
-    options: dict[str, Any] = {"process": False, "maintain_order": True}
+    options: dict[str, Any] = {"process": False}
     if file.suffix.lower() == ".obj":
         options["skip_materials"] = True
     try:
@@ -148,8 +148,11 @@ def _joined(parts: list[dict[str, Any]], file: Path) -> dict[str, Any]:
     for key in ("normals", "uvs"):
         if all(part[key] is not None for part in parts):
             joined[key] = np.concatenate([part[key] for part in parts])
-    shared = set.intersection(*(set(part["attributes"]) for part in parts))
+    shared = set.intersection(
+        *({(key, value.shape[1:]) for key, value in part["attributes"].items()} for part in parts)
+    )
     joined["attributes"] = {
-        key: np.concatenate([part["attributes"][key] for part in parts]) for key in sorted(shared)
+        key: np.concatenate([part["attributes"][key] for part in parts])
+        for key, _ in sorted(shared)
     }
     return joined

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._core.arrays import as_faces, as_floats, dot
+from .._core.arrays import as_faces, as_floats, as_positions, dot
 from .._core.errors import MeshError
 
 __all__ = ["mesh_uv_scale"]
@@ -29,7 +29,7 @@ def mesh_uv_scale(positions: ArrayLike, uvs: ArrayLike, faces: ArrayLike) -> flo
     ArgumentError, MeshError
         If an array is malformed, or no triangle has an extent in both.
     """
-    p = as_floats("positions", positions, (None, 3))
+    p = as_positions("positions", positions)
     t = as_floats("uvs", uvs, (p.shape[0], 2))
     f = as_faces("faces", faces, p.shape[0])
     in_space, in_uv = _longest_edge2(p[f]), _longest_edge2(t[f])

@@ -27,14 +27,14 @@ import json, os, runpy, sys, traceback
 import scipy.ndimage, trimesh, skinshade.cli.app, skinshade.render.cpu.renderer
 
 codes = []
-for folder, words in json.load(sys.stdin):
+for index, (folder, words) in enumerate(json.load(sys.stdin)):
     child = os.fork()
     if not child:
         code = 0
         try:
             os.chdir(folder)
             for stream in (1, 2):
-                os.dup2(os.open(f"{folder}.{stream}", os.O_CREAT | os.O_WRONLY), stream)
+                os.dup2(os.open(f"{folder}.{index}.{stream}", os.O_CREAT | os.O_WRONLY), stream)
             sys.argv = ["skinshade", *words]
             runpy.run_module("skinshade", run_name="__main__", alter_sys=True)
         except SystemExit as end:
@@ -53,11 +53,13 @@ print(json.dumps(codes))
 
 @dataclass(frozen=True)
 class Ran:
-    """How a command ended, and what it said."""
+    """How a command ended, what it said, and its folder before and after."""
 
     code: int
     out: str
     err: str
+    before: dict[str, bytes | None]
+    after: dict[str, bytes | None]
 
 
 def _python(folder: Path, *words: str, said: str = "") -> subprocess.CompletedProcess[str]:
@@ -77,19 +79,25 @@ def _python(folder: Path, *words: str, said: str = "") -> subprocess.CompletedPr
 
 def run(folder: Path, *words: str) -> Ran:
     """Run ``python -m skinshade`` in a folder, its output piped, as a script would."""
+    before = contents(folder)
     ended = _python(folder, "-m", "skinshade", *words)
-    return Ran(ended.returncode, ended.stdout, ended.stderr)
+    return Ran(ended.returncode, ended.stdout, ended.stderr, before, contents(folder))
 
 
 def run_each(requests: list[tuple[Path, list[str]]]) -> list[Ran]:
     """Run it for each (folder, words), one after the other, in children of one interpreter."""
     if not hasattr(os, "fork"):
         return [run(folder, *words) for folder, words in requests]
+    before = [contents(folder) for folder, _ in requests]
     asked = json.dumps([(str(folder), words) for folder, words in requests])
     driver = _python(requests[0][0], "-c", FORKING, said=asked)
     assert driver.returncode == 0, driver.stderr
-    said = [[Path(f"{folder}.{n}").read_text("utf-8") for n in (1, 2)] for folder, _ in requests]
-    return [Ran(code, *texts) for code, texts in zip(json.loads(driver.stdout), said, strict=True)]
+    codes = json.loads(driver.stdout)
+    ran = []
+    for index, (folder, _) in enumerate(requests):
+        said = [Path(f"{folder}.{index}.{stream}").read_text("utf-8") for stream in (1, 2)]
+        ran.append(Ran(codes[index], *said, before[index], contents(folder)))
+    return ran
 
 
 def contents(folder: Path) -> dict[str, bytes | None]:

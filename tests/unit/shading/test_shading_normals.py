@@ -1,0 +1,182 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+import shading_tolerances as tol
+from skinshade.profile import Profile, presets
+from skinshade.shading.normals import (
+    BUMP_PERIODS_MM,
+    add_mesh_diffusion,
+    blend_normals,
+    blur_level,
+    normal_blend,
+)
+
+PUBLISHED_SIGMAS = (0.19, 1.13)
+PUBLISHED = {
+    "R": (0.121, 0.279, 0.600),
+    "G": (0.225, 0.684, 0.091),
+    "B": (0.380, 0.620, 0.0),
+}
+SHORT, LONG = BUMP_PERIODS_MM
+BAND = np.geomspace(2.0 * np.pi / LONG, 2.0 * np.pi / SHORT, 200)
+FETCHES = pytest.mark.parametrize("fetches", [2, 3])
+
+
+@st.composite
+def mixtures(draw):
+    variances = draw(st.lists(st.floats(1e-4, 30.0), min_size=1, max_size=4))
+    shape = (len(variances), 3)
+    weights = draw(hnp.arrays(float, shape, elements=st.floats(0.01, 1.0)))
+    return Profile.gaussians(variances_mm2=variances, weights=weights, albedo=0.5)
+
+
+def response(blend, k=BAND):
+    """What the mix makes of relief of each frequency, (n, 3)."""
+    blurs = np.exp(-0.5 * np.square(k[:, None] * blend.sigmas_mm))
+    return blend.weights[:, 0] + blurs @ blend.weights[:, 1:].T
+
+
+def squared_error(profile, sigmas, weights):
+    blurs = np.exp(-0.5 * np.square(BAND[:, None] * sigmas))
+    return np.square(weights[0] + blurs @ weights[1:] - profile.transfer(BAND).T).sum(axis=-1)
+
+
+@FETCHES
+@given(profile=mixtures())
+def test_weights_share_out_one_normal_among_the_fetches(fetches, profile):
+    blend = normal_blend(profile, fetches=fetches)
+    assert blend.weights.shape == (3, fetches)
+    assert blend.sigmas_mm.shape == (fetches - 1,)
+    assert (blend.weights >= -tol.ROUNDING.value).all()
+    assert np.abs(blend.weights.sum(axis=1) - 1.0).max() <= tol.ROUNDING.value
+    assert (np.diff(blend.sigmas_mm, prepend=0.0) > 0.0).all()
+
+
+def test_three_fetches_follow_the_skin_profile_over_the_band(deon):
+    error = response(normal_blend(deon)) - deon.transfer(BAND)
+    assert np.abs(error).max() <= tol.BLEND_RESIDUAL.value
+    assert np.sqrt(np.mean(np.square(error), axis=0)).max() <= tol.BLEND_RESIDUAL_RMS.value
+
+
+def test_three_fetches_of_skin_are_the_published_ones(deon):
+    blend = normal_blend(deon)
+    assert np.abs(blend.sigmas_mm / PUBLISHED_SIGMAS - 1.0).max() <= tol.BLEND_SIGMA.value
+    assert np.abs(blend.weights - list(PUBLISHED.values())).max() <= tol.BLEND_WEIGHT.value
+
+
+def test_three_fetches_are_no_worse_than_the_published_ones(deon):
+    ours = response(normal_blend(deon)) - deon.transfer(BAND)
+    blurs = np.exp(-0.5 * np.square(BAND[:, None] * PUBLISHED_SIGMAS))
+    weights = np.array(list(PUBLISHED.values()))
+    published = weights[:, 0] + blurs @ weights[:, 1:].T - deon.transfer(BAND)
+    assert np.square(ours).sum() <= tol.BLEND_GRID.value * np.square(published).sum()
+
+
+def test_two_fetches_of_skin_are_the_published_ones(deon):
+    blend = normal_blend(deon, fetches=2)
+    assert blend.sigmas_mm[0] == pytest.approx(0.46, rel=tol.BLEND_SIGMA.value)
+    assert np.abs(blend.weights[:, 1] - (0.87, 0.53, 0.37)).max() <= tol.TWO_FETCH_WEIGHT.value
+
+
+@given(
+    profile=mixtures(),
+    simplex=hnp.arrays(float, (50, 3), elements=st.floats(1e-3, 1.0)),
+)
+def test_no_other_weights_of_the_same_blurs_come_closer(profile, simplex):
+    blend = normal_blend(profile)
+    ours = np.array(
+        [squared_error(profile, blend.sigmas_mm, w)[c] for c, w in enumerate(blend.weights)]
+    )
+    for rival in simplex / simplex.sum(axis=1, keepdims=True):
+        theirs = squared_error(profile, blend.sigmas_mm, rival)
+        assert (np.sqrt(ours) <= np.sqrt(theirs) + tol.BLEND_OPTIMUM.value).all()
+
+
+@FETCHES
+def test_matter_that_scatters_within_a_pore_keeps_the_sharp_normal(fetches):
+    opaque = Profile.gaussians(variances_mm2=[1e-6], weights=[[1.0, 1.0, 1.0]], albedo=0.5)
+    assert (
+        np.abs(response(normal_blend(opaque, fetches=fetches)) - 1.0).max() <= tol.BLEND_LIMIT.value
+    )
+
+
+def test_matter_that_scatters_beyond_a_wrinkle_keeps_only_the_widest_blur():
+    wide = Profile.gaussians(variances_mm2=[400.0], weights=[[1.0, 1.0, 1.0]], albedo=0.5)
+    assert np.abs(response(normal_blend(wide))).max() <= tol.BLEND_LIMIT.value
+
+
+@pytest.mark.parametrize("name", presets())
+def test_a_third_fetch_never_hurts(name):
+    profile = Profile.preset(name)
+    two, three = (
+        np.square(response(normal_blend(profile, fetches=n)) - profile.transfer(BAND)).sum()
+        for n in (2, 3)
+    )
+    assert three <= two
+
+
+def test_a_wave_of_relief_is_damped_as_the_profile_damps_light(deon):
+    blend = normal_blend(deon)
+    x = np.linspace(0.0, 20.0, 401)
+    for k in (1.5, 4.0, 12.0):
+        fetched = np.zeros((x.size, 3, 3))
+        fetched[..., 2] = 1.0
+        for i, sigma in enumerate((0.0, *blend.sigmas_mm)):
+            fetched[:, i, 0] = 0.3 * np.sin(k * x) * np.exp(-0.5 * (k * sigma) ** 2)
+        seen = blend_normals(fetched, blend)
+        truth = 0.3 * np.sin(k * x)[:, None] * deon.transfer(np.array(k))
+        assert np.abs(seen[..., 0] - truth).max() <= 0.3 * tol.BLEND_RESIDUAL.value
+        assert np.abs(seen[..., 2] - 1.0).max() <= tol.ROUNDING.value
+
+
+UNIT = hnp.arrays(float, (3, 3), elements=st.floats(-1.0, 1.0)).filter(
+    lambda v: np.linalg.norm(v, axis=1).min() > 0.1
+)
+
+
+@given(UNIT)
+def test_what_every_fetch_agrees_on_every_channel_sees(vectors):
+    blend = normal_blend(Profile.preset("skin-deon2007"))
+    for n in vectors / np.linalg.norm(vectors, axis=1)[:, None]:
+        assert np.abs(blend_normals(np.stack([n, n, n]), blend) - n).max() <= tol.ROUNDING.value
+
+
+@given(UNIT)
+def test_a_mix_of_unit_normals_is_never_longer_than_one(vectors):
+    blend = normal_blend(Profile.preset("skin-deon2007"))
+    unit = vectors / np.linalg.norm(vectors, axis=1)[:, None]
+    assert np.linalg.norm(blend_normals(unit, blend), axis=1).max() <= 1.0 + tol.ROUNDING.value
+
+
+@given(UNIT, st.floats(0.1, 1.0))
+def test_a_flat_map_leaves_the_diffusion_of_the_mesh(vectors, length):
+    normal = vectors[0] / np.linalg.norm(vectors[0])
+    flat = np.tile(normal, (3, 1))
+    assert np.abs(add_mesh_diffusion(flat, vectors, normal) - vectors).max() <= tol.ROUNDING.value
+    undiffused = add_mesh_diffusion(vectors, np.tile(normal, (3, 1)), normal)
+    assert np.abs(undiffused - vectors).max() <= tol.ROUNDING.value
+
+
+def test_relief_shortens_what_the_mesh_adds():
+    normal, texture = np.array([0.0, 0.0, 1.0]), np.tile([0.0, 0.0, 0.5], (3, 1))
+    mesh = np.tile([0.2, 0.0, 0.9], (3, 1))
+    both = add_mesh_diffusion(texture, mesh, normal)
+    assert np.allclose(both, [0.1, 0.0, 0.45], atol=tol.ROUNDING.value)
+
+
+@given(st.floats(0.01, 10.0), st.floats(1.0, 1000.0), st.integers(4, 14), st.floats(0.0, 12.0))
+def test_a_level_is_the_doubling_whose_texel_is_two_sigma(sigma, scale, octave, hardware):
+    size = 2**octave
+    level = float(blur_level(sigma, scale, size, np.array(hardware)))
+    assert level >= max(hardware, 0.0)
+    if level > hardware and level > 0.0:
+        assert scale / size * 2.0**level == pytest.approx(2.0 * sigma)
+        assert blur_level(2.0 * sigma, scale, size, np.array(hardware)) == pytest.approx(level + 1)
+
+
+def test_a_blur_finer_than_a_texel_asks_for_no_level():
+    assert blur_level(1e-6, 100.0, 1024, np.array(0.0)) == 0.0
+    assert blur_level(0.0, 100.0, 1024, np.array(3.5)) == 3.5
