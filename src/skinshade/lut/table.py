@@ -45,6 +45,10 @@ class Axis:
             raise ArgumentError(f"axis {self.name}: spacing is {self.spacing!r}; linear or sqrt")
         if not (np.isfinite(self.low) and np.isfinite(self.high) and self.low < self.high):
             raise ArgumentError(f"axis {self.name}: from {self.low} to {self.high} does not rise")
+        if self.spacing == "sqrt" and self.low < 0.0:
+            raise ArgumentError(
+                f"axis {self.name}: from {self.low}; a sqrt axis starts at 0 or above"
+            )
 
     def centres(self, count: int) -> FloatArray:
         """Return the values (count,) at the texel centres."""

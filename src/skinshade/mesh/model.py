@@ -139,7 +139,7 @@ def _any_face_normal_where_zero(
     normals: FloatArray, points: FloatArray, triangles: IntArray
 ) -> FloatArray:
     """Both sides of one sheet cancel out: there the normal of either will do."""
-    zero = ~normals.any(axis=1)
+    zero = np.asarray(~normals.any(axis=1))
     if not zero.any():
         return normals
     p = points[triangles]

@@ -1,4 +1,4 @@
-"""Images in and out, linear Rec.709 inside, through OpenImageIO."""
+"""Pictures in and out, linear Rec.709 inside."""
 
 from __future__ import annotations
 
@@ -6,16 +6,12 @@ import os
 from pathlib import Path
 
 import numpy as np
-import OpenImageIO as oiio  # noqa: N813 — the name its own manual gives it
 
 from .._core.arrays import FloatArray, ImageArray
-from .._core.errors import ArgumentError, ImageFileError, OutputError
-from .._core.files import atomic_write, existing_file
+from .._core.errors import ArgumentError, ImageFileError
+from .._core.pixels import read_pixels, write_pixels
 
 __all__ = ["read_image", "read_linear", "write_exr", "write_image", "write_png"]
-
-LARGEST_SIDE = 32768
-"""A header that claims more is taken for corrupt before memory is asked for it."""
 
 
 def read_image(path: str | os.PathLike[str], channels: int = 3) -> ImageArray:
@@ -26,28 +22,14 @@ def read_image(path: str | os.PathLike[str], channels: int = 3) -> ImageArray:
     ImageFileError
         If the file is missing, corrupt, too large, or holds NaN or infinite values.
     """
-    file = existing_file(path, ImageFileError)
-    source = oiio.ImageInput.open(str(file))
-    if source is None:
-        raise ImageFileError(f"{file}: not an image ({oiio.geterror().strip()})")
-    try:
-        spec = source.spec()
-        if max(spec.width, spec.height) > LARGEST_SIDE:
-            raise ImageFileError(f"{file}: claims {spec.width}×{spec.height} pixels; too large")
-        pixels = source.read_image("float")
-        if pixels is None:
-            raise ImageFileError(f"{file}: corrupt ({source.geterror().strip()})")
-    finally:
-        source.close()
-    if pixels.ndim == 2:
-        pixels = pixels[..., None]
+    pixels, _ = read_pixels(path, ImageFileError)
     if pixels.shape[2] in (1, 2):  # grey, with or without alpha
         pixels = np.repeat(pixels[..., :1], channels, axis=2)
     if pixels.shape[2] < channels:
-        raise ImageFileError(f"{file}: has {pixels.shape[2]} channels; {channels} are needed")
+        raise ImageFileError(f"{path}: has {pixels.shape[2]} channels; {channels} are needed")
     pixels = np.ascontiguousarray(pixels[..., :channels], dtype=np.float32)
     if not np.isfinite(pixels).all():
-        raise ImageFileError(f"{file}: holds NaN or infinite pixels")
+        raise ImageFileError(f"{path}: holds NaN or infinite pixels")
     return pixels
 
 
@@ -83,31 +65,9 @@ def write_image(path: str | os.PathLike[str], linear: ImageArray, display: Float
 
 def write_png(path: str | os.PathLike[str], display: FloatArray) -> None:
     """Write display values 0..1 (H, W, 3 or 4) as 8-bit PNG."""
-    pixels = np.rint(np.clip(display, 0.0, 1.0) * 255.0).astype(np.uint8)
-    _write(path, pixels, "uint8")
+    write_pixels(path, np.rint(np.clip(display, 0.0, 1.0) * 255.0).astype(np.uint8))
 
 
 def write_exr(path: str | os.PathLike[str], linear: ImageArray) -> None:
     """Write linear values (H, W, 3 or 4) as float32 EXR."""
-    _write(path, np.asarray(linear, dtype=np.float32), "float")
-
-
-def _write(
-    path: str | os.PathLike[str],
-    pixels: np.ndarray[tuple[int, ...], np.dtype[np.generic]],
-    kind: str,
-) -> None:
-    with atomic_write(path) as temporary:
-        spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], kind)
-        if pixels.shape[2] == 4:
-            spec.alpha_channel = 3
-        out = oiio.ImageOutput.create(str(temporary))
-        written = (
-            out is not None
-            and out.open(str(temporary), spec)
-            and out.write_image(np.ascontiguousarray(pixels))
-            and out.close()
-        )
-        if not written:
-            reason = out.geterror() if out is not None else oiio.geterror()
-            raise OutputError(f"{path}: cannot write it ({reason.strip()})")
+    write_pixels(path, np.asarray(linear, dtype=np.float32))
