@@ -70,6 +70,24 @@ SLAB_FITTED = (
     Tolerance(0.08, "as SLAB_DECAY with the best σ, 1.33/mm; .068 measured"),
 )
 
+# -- highlights, tone, 2014 ------------------------------------------------------------------------
+
+SPECULAR_QUADRATURE = Tolerance(1e-6, "panels of 8 nodes over lobes of powers up to 2¹³")
+SHARP_LOBE = Tolerance(5e-3, "of all light; powers from 550 up lose that little to shadowing")
+COAT_AND_BODY = Tolerance(0.04, "the share left for the body is a fit of preconvolved light; .036")
+GRAZING = Tolerance(0.1, "(1 − v·h)⁵ at v·h = .014 is .93")
+SRGB = Tolerance(1e-7, "the standard's two branches meet to 3e-8")
+SRGB_DIGITS = Tolerance(5e-7, "values worked out to seven digits")
+CLASSIC_PLANE = Tolerance(
+    0.015, "8 bits of ±.25 are steps of .002; the least curvature of the table is not nothing"
+)
+
+# -- the whole pixel -------------------------------------------------------------------------------
+
+TURNED = Tolerance(1e-6, "a rotation turns rounding into rounding, through arccosines and tables")
+PLANE = Tolerance(3e-3, "TABLE_EDGE, and the shadow table's own last texel; of light 1")
+DARK_END = Tolerance(2e-3, "the first texel of the shadow table, half a texel from where it is 0")
+
 # -- pictures --------------------------------------------------------------------------------------
 
 BYTE_STEP = Tolerance(1.0, "steps of 8 bits: EXR keeps float32, PNG is rounded from float64")

@@ -216,6 +216,30 @@ def test_progress_runs_from_nothing_to_all(deon):
     assert seen == sorted(seen)
 
 
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6, 1e-10])
+@pytest.mark.parametrize("light", ["half", "point"])
+def test_the_answer_is_as_near_as_the_tolerance_says(deon, tolerance, light):
+    # A hard terminator, and the hardest field of all: light on one vertex.
+    values = (
+        np.heaviside(BALL.normals[:, 2], 0.5)
+        if light == "half"
+        else np.eye(1, len(BALL.normals))[0]
+    )
+    near, exact = (
+        diffuse_on_mesh(BALL.positions, BALL.faces, values, deon, tolerance=t)
+        for t in (tolerance, 1e-12)
+    )
+    weight = mass(BALL)
+    error = np.sqrt(weight @ np.square(near - exact))
+    assert error.max() <= tol.LANCZOS_SLACK.value * tolerance * np.sqrt(weight @ values**2)
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 1e-13, 0.2, np.nan])
+def test_a_tolerance_that_cannot_be_is_refused(deon, tolerance):
+    with pytest.raises(ArgumentError, match="tolerance is"):
+        diffuse_on_mesh(SMALL.positions, SMALL.faces, np.zeros(150), deon, tolerance=tolerance)
+
+
 # -- normals ---------------------------------------------------------------------------------------
 
 

@@ -214,6 +214,8 @@ def test_normals_and_winding_follow_the_transform(tmp_path, linear):
     truth = BALL.normals @ np.linalg.inv(linear)
     truth /= np.linalg.norm(truth, axis=1)[:, None]
     assert "normals computed" not in mesh.repairs
+    placed = BALL.positions @ linear.T
+    assert np.abs(mesh.positions - placed).max() <= tol.FLOAT32_FILE.value
     assert np.abs(mesh.normals - truth).max() <= 2.0 * tol.FLOAT32_FILE.value
     corners = mesh.positions[mesh.faces]
     outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

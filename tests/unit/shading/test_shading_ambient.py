@@ -99,7 +99,7 @@ def test_nine_harmonics_are_within_a_hundredth_of_a_sky():
 
 @given(VECTOR, COEFFICIENTS, st.floats(0.1, 1.0))
 def test_a_shorter_normal_keeps_band_0_and_damps_1_and_2_by_its_length_and_cube(n, sh, length):
-    bands = [np.where((BAND == band)[:, None], sh, 0.0) for band in range(3)]
+    bands = [np.where((band == BAND)[:, None], sh, 0.0) for band in range(3)]
     lift = np.zeros((9, 3))
     lift[0] = 40.0  # far above 0, where the result is clamped
     for band, power in ((0, 0), (1, 1), (2, 3)):
@@ -118,7 +118,7 @@ def test_band_transfer_multiplies_each_band_of_each_channel(n, sh, transfer):
     unit = np.ones((1, 3, 3))
     total = np.zeros((1, 3))
     for band in range(3):
-        part = np.where((BAND == band)[:, None], sh, 0.0)
+        part = np.where((band == BAND)[:, None], sh, 0.0)
         alone = ambient_irradiance(lift + part, one_normal(n)) - floor
         total += alone * transfer[:, band]
     keep_band_0 = transfer.copy()
