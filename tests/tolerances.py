@@ -93,9 +93,7 @@ EDGES_2014 = Tolerance(0.02, "around the 18 % RMS that MODEL reports of the 2014
 NORMALS_DEG = Tolerance(0.15, "RMS of computed normals on 16,000 random vertices, degrees")
 TANGENT_DEG = Tolerance(2.0, "tangents on a 64×32 patch of a sphere, degrees")
 LANCZOS = Tolerance(1e-7, "the iteration stops when no coefficient changes by 1e-8")
-LANCZOS_SLACK = Tolerance(
-    12.0, "times the tolerance asked for, which bounds one coefficient of dozens; norm of the error"
-)
+LANCZOS_SLACK = Tolerance(1.0, "error over the tolerance asked for, both relative to the input")
 EIGENFUNCTION = Tolerance(5e-3, "cotangent Laplacian at 2,562 vertices: second order in the edge")
 CONSERVED = Tolerance(1e-7, "constants and integrals; relative to the field")
 SELF_ADJOINT = Tolerance(1e-7, "<u, Hv> = <Hu, v>, by where the iteration stops; relative")

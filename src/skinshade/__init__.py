@@ -79,7 +79,6 @@ _HOMES = {
     ".params": ("SkinParams",),
     ".profile": ("Profile", "presets"),
     ".render": ("RenderSettings",),
-    ".render.renderer": ("render",),
     ".scene": (
         "Camera",
         "DirectionalLight",
@@ -95,8 +94,10 @@ _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME_OF:
+    if name not in __all__:
         raise AttributeError(f"module 'skinshade' has no attribute {name!r}")
+    if name == "render":  # the package itself, which is called
+        return import_module(".render", __name__)
     value = getattr(import_module(_HOME_OF[name], __name__), name)
     globals()[name] = value
     return value
