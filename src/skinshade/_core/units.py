@@ -10,6 +10,8 @@ __all__ = ["MM_PER_UNIT", "checked_unit_mm", "parse_unit_mm"]
 
 MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
 """Millimetres in one of each named unit (the inch and the foot by definition of 1959)."""
+UNIT_RANGE_MM = (1e-6, 1e9)
+"""A nanometre to a thousand kilometres: beyond it no unit is meant."""
 
 
 def checked_unit_mm(unit_mm: float, what: str) -> float:
@@ -24,9 +26,11 @@ def checked_unit_mm(unit_mm: float, what: str) -> float:
         value = float(unit_mm)
     except (TypeError, ValueError):
         value = math.nan
-    if not (math.isfinite(value) and value > 0.0):
+    least, most = UNIT_RANGE_MM
+    if not least <= value <= most:  # NaN is not in a range either
         raise UnitError(
-            f"{what}: unit_mm is {unit_mm}; it must be a positive number of millimetres"
+            f"{what}: unit_mm is {unit_mm}; it must be a positive number of millimetres, "
+            f"{least:g} to {most:g}"
         )
     return value
 

@@ -16,6 +16,8 @@ __all__ = ["app"]
 
 app = typer.Typer(help="Write a lookup table.", no_args_is_help=True)
 
+LARGEST_RADIUS_MM = 1e6
+
 OUTPUT = typer.Option(..., "--output", "-o", help="File: .exr, .png (16 bits) or .npz.")
 PROFILE = typer.Option(
     "skin-deon2007", "--profile", help="Diffusion profile; see skinshade profile."
@@ -76,6 +78,11 @@ def shadow_command(
 
 
 def _scaled(profile: str, diffusion_radius_mm: float) -> Profile:
+    if not 0.0 < diffusion_radius_mm <= LARGEST_RADIUS_MM:
+        raise ArgumentError(
+            f"--diffusion-radius-mm is {diffusion_radius_mm}; it must be positive, "
+            f"{LARGEST_RADIUS_MM:g} at most"
+        )
     return Profile.preset(profile).scaled(diffusion_radius_mm / CLASSIC_DIFFUSION_RADIUS_MM)
 
 

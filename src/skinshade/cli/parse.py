@@ -41,6 +41,6 @@ def size(text: str, what: str = "--size") -> tuple[int, int]:
         If the text is no such pair.
     """
     width, _, height = text.lower().partition("x")
-    if not (width.isdigit() and height.isdigit()):
+    if not (text.isascii() and width.isdigit() and height.isdigit()):
         raise ArgumentError(f"{what} is {text!r}; it must be WIDTHxHEIGHT, such as 1280x720")
     return int(width), int(height)

@@ -6,12 +6,15 @@ from pathlib import Path
 
 import typer
 
-from .._core.errors import OutputError
+from .._core.errors import ArgumentError, OutputError
 from .._core.files import atomic_write
 from ..profile import Profile, presets
 from ..profile.presets import preset_record
 
 __all__ = ["profile_command"]
+
+
+LARGEST_SCALE = 1e6
 
 
 def profile_command(
@@ -28,6 +31,8 @@ def profile_command(
                 f"{each:<14} {record['kind']:<10} rms {rms} mm  {record['about']} [{record['source']}]"
             )
         return
+    if not 0.0 < scale <= LARGEST_SCALE:
+        raise ArgumentError(f"--scale is {scale}; it must be positive, {LARGEST_SCALE:g} at most")
     chosen = Profile.preset(name).scaled(scale)
     for label, values, unit in (
         ("albedo", chosen.albedo, ""),

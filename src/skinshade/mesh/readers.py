@@ -88,6 +88,7 @@ def _parts(file: Path) -> list[dict[str, Any]]:
     options: dict[str, Any] = {"process": False}
     if file.suffix.lower() == ".obj":
         options["skip_materials"] = True
+        _refuse_index_zero(file)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of its own arithmetic on files without materials
@@ -103,6 +104,16 @@ def _parts(file: Path) -> list[dict[str, Any]]:
     if not parts:
         raise MeshFileError(f"{file}: holds no triangles")
     return parts
+
+
+def _refuse_index_zero(file: Path) -> None:
+    """OBJ counts from 1; readers take 0 for the vertex before the first, which is the last."""
+    with file.open("rb") as lines:
+        for number, line in enumerate(lines, 1):
+            if line.startswith(b"f ") and any(
+                corner.split(b"/")[0] == b"0" for corner in line.split()[1:]
+            ):
+                raise MeshFileError(f"{file}: line {number} has vertex index 0; OBJ counts from 1")
 
 
 def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:

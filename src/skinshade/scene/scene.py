@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .._core.arrays import FloatArray, as_rgb
-from .._core.errors import SceneFileError, SkinshadeError
+from .._core.errors import ArgumentError, SceneFileError, SkinshadeError
 from .._core.files import existing_file
 from ..mesh import Mesh, load_mesh
 from ..params import SkinParams
@@ -94,6 +94,8 @@ def load_scene(path: str | os.PathLike[str], *, light: str = "front") -> Scene:
         raise SceneFileError(f"{file}: must hold a JSON object")
     try:
         return _scene(record, file, light)
+    except ArgumentError as error:
+        raise SceneFileError(f"{file}: {error}") from None
     except SkinshadeError:
         raise
     except KeyError as error:

@@ -125,6 +125,12 @@ def test_unit_vectors_have_length_one_and_keep_their_direction(vectors):
     assert (unit[zero] == 0.0).all()
 
 
+@pytest.mark.parametrize("length", [1e-100, 1e-9, 1.0, 1e100])
+def test_a_vector_of_any_length_becomes_one_of_length_one(length):
+    unit = unit_vectors(np.array([[0.0, 0.6, -0.8]]) * length)
+    assert np.allclose(unit, [[0.0, 0.6, -0.8]], rtol=tol.ROUNDING.value)
+
+
 @given(*[hnp.arrays(np.float64, (4, 3), elements=st.floats(-10, 10)) for _ in range(2)])
 def test_dot_is_the_sum_of_products(a, b):
     assert np.allclose(dot(a, b), (a * b).sum(axis=-1), rtol=0, atol=300 * tol.ROUNDING.value)

@@ -52,7 +52,9 @@ def test_a_file_appears_whole_and_alone(tmp_path):
         temporary.write_bytes(b"half")
         assert not target.exists()
         temporary.write_bytes(b"whole")
+        written = temporary.stat().st_ino
     assert target.read_bytes() == b"whole"
+    assert target.stat().st_ino == written, "copied byte by byte, so that half of it could be seen"
     assert list(tmp_path.iterdir()) == [target]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -219,25 +219,6 @@ CASES = {
     ),
 }
 
-NO_FILE = "a value out of range within a scene does not say in which file and field it is"
-UNNAMED = "the message speaks of a factor, not of the option that was typed"
-KNOWN = {
-    "zeroth index": "OBJ counts from 1; 0 is silently taken for the last vertex",
-    "size in other digits": "'²'.isdigit() is true, but int('²') raises",
-    "larger than a mountain": "no unit is too large, and an index overflows far from its cause",
-    "camera in two numbers": NO_FILE,
-    "angle of zero": NO_FILE,
-    "negative radius": NO_FILE,
-    "scale of zero": UNNAMED,
-    "table's scale": UNNAMED,
-}
-"""Cases that do not yet hold, and why."""
-
-
-def each_case(names: Iterable[str]) -> list[Any]:
-    marks = {name: pytest.mark.xfail(reason=KNOWN[name], strict=True) for name in KNOWN}
-    return [pytest.param(name, marks=marks.get(name, ())) for name in names]
-
 
 @pytest.fixture(scope="module")
 def inputs(tmp_path_factory) -> Path:
@@ -263,7 +244,7 @@ def plain(text: str) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", each_case(CASES))
+@pytest.mark.parametrize("name", CASES)
 def test_the_command_line_says_what_is_wrong(outcomes, name):
     case, ran = CASES[name], outcomes[name]
     assert ran.code == case.code, ran.err
@@ -274,7 +255,7 @@ def test_the_command_line_says_what_is_wrong(outcomes, name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in CASES if name not in KNOWN])
+@pytest.mark.parametrize("name", CASES)
 def test_a_failure_writes_nothing_and_keeps_what_was_there(outcomes, name):
     assert outcomes[name].after == outcomes[name].before
     assert outcomes[name].before["kept.png"] == KEPT
@@ -289,7 +270,7 @@ def test_messages_are_short_and_begin_alike(outcomes):
     assert max(text.count("\n") for text in own) <= 3
 
 
-@pytest.mark.parametrize("name", each_case([name for name, case in CASES.items() if case.call]))
+@pytest.mark.parametrize("name", [name for name, case in CASES.items() if case.call])
 def test_the_api_raises_the_error_of_that_kind(inputs, name):
     case = CASES[name]
     before = contents(inputs)

@@ -8,7 +8,6 @@ from hypothesis.extra import numpy as hnp
 
 import shapes
 import tolerances as tol
-from skinshade._core.errors import ArgumentError, MeshError
 from skinshade.mesh import diffuse_on_mesh, mesh_diffused_normals
 from skinshade.mesh.topology import corner_areas
 from skinshade.profile import Profile, presets
@@ -234,12 +233,6 @@ def test_the_answer_is_as_near_as_the_tolerance_says(deon, tolerance, light):
     assert error.max() <= tol.LANCZOS_SLACK.value * tolerance * np.sqrt(weight @ values**2)
 
 
-@pytest.mark.parametrize("tolerance", [0.0, 1e-13, 0.2, np.nan])
-def test_a_tolerance_that_cannot_be_is_refused(deon, tolerance):
-    with pytest.raises(ArgumentError, match="tolerance is"):
-        diffuse_on_mesh(SMALL.positions, SMALL.faces, np.zeros(150), deon, tolerance=tolerance)
-
-
 # -- normals ---------------------------------------------------------------------------------------
 
 
@@ -277,46 +270,3 @@ def test_diffused_normals_of_a_plane_stay(deon):
     flat = shapes.square(10.0, 12)
     result = mesh_diffused_normals(flat.positions, flat.faces, flat.normals, deon)
     assert np.abs(result - flat.normals[:, None, :]).max() <= tol.CONSERVED.value
-
-
-# -- faults ----------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("positions", "faces", "values", "kind", "complaint"),
-    [
-        (
-            SMALL.positions * np.nan,
-            SMALL.faces,
-            np.zeros(150),
-            ArgumentError,
-            r"positions_mm\[0, 0\]",
-        ),
-        (SMALL.positions, SMALL.faces + 1, np.zeros(150), ArgumentError, r"faces\[.*\] is 150"),
-        (SMALL.positions, SMALL.faces, np.full(150, np.inf), ArgumentError, r"values\[0\] is inf"),
-        (SMALL.positions, SMALL.faces, np.zeros(149), MeshError, r"values: shape is \(149,\)"),
-        (SMALL.positions, SMALL.faces, 1.0, MeshError, r"values: shape is \(\)"),
-        (
-            SMALL.positions,
-            np.zeros((0, 3), int),
-            np.zeros(150),
-            MeshError,
-            "have no area|no faces|none",
-        ),
-        (np.zeros((3, 3)), [[0, 1, 2]], np.zeros(3), MeshError, "no area"),
-    ],
-)
-def test_a_malformed_mesh_is_refused(positions, faces, values, kind, complaint, deon):
-    with pytest.raises(kind, match=complaint):
-        diffuse_on_mesh(positions, faces, values, deon)
-
-
-def test_a_mesh_of_nothing_is_refused(deon):
-    with pytest.raises((ArgumentError, MeshError)):
-        diffuse_on_mesh(np.zeros((0, 3)), np.zeros((0, 3), int), np.zeros(0), deon)
-
-
-def test_a_vertex_that_no_face_uses_is_named(deon):
-    positions = np.vstack([SMALL.positions, [[9.0, 8.0, 7.0]]])
-    with pytest.raises(MeshError, match=r"vertex \d+ at \[9\. 8\. 7\.\]"):
-        diffuse_on_mesh(positions, SMALL.faces, np.zeros(151), deon)
