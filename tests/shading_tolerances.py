@@ -88,6 +88,16 @@ TURNED = Tolerance(1e-6, "a rotation turns rounding into rounding, through arcco
 PLANE = Tolerance(3e-3, "TABLE_EDGE, and the shadow table's own last texel; of light 1")
 DARK_END = Tolerance(2e-3, "the first texel of the shadow table, half a texel from where it is 0")
 
+# -- against diffusion over surfaces ---------------------------------------------------------------
+
+CLASSIC_OVER_THREE_FETCHES = Tolerance(5.0, "the promise; 6.9 to 8.7 times measured")
+BUMPY_PER_SLOPE = {
+    "classic": (Tolerance(0.11, "RMS over RMS slope, least"), Tolerance(0.15, "greatest; .12-.14")),
+    "2 fetches": (Tolerance(0.04, "as classic"), Tolerance(0.06, "greatest; .043-.058 measured")),
+    "3 fetches": (Tolerance(0.01, "as classic"), Tolerance(0.02, "greatest; .014-.019 measured")),
+}
+RING_ON_CYLINDER = Tolerance(1e-3, "bilinear between 512 columns at the terminator, and its last texel")
+
 # -- pictures --------------------------------------------------------------------------------------
 
 BYTE_STEP = Tolerance(1.0, "steps of 8 bits: EXR keeps float32, PNG is rounded from float64")

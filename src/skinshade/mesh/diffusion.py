@@ -84,7 +84,12 @@ def diffuse_on_mesh(
     for column in range(welded.shape[1]):
         progress("diffusing over the surface", column / welded.shape[1])
         result[:, column] = _transferred(
-            stiffness, mass, profile.kernel.transfer, welded[:, column], tolerance
+            stiffness,
+            mass,
+            profile.kernel.transfer,
+            welded[:, column],
+            tolerance,
+            float(profile.rms_radius_mm.max()),
         )
     progress("diffusing over the surface", 1.0)
     return result[group].reshape(*v.shape, 3)
@@ -134,6 +139,7 @@ def _transferred(
     transfer: Callable[[FloatArray], FloatArray],
     values: FloatArray,
     tolerance: float,
+    reach_mm: float,
 ) -> FloatArray:
     """Apply T(√(M⁻¹L)) to one column (n,) per channel, (n, 3), by Lanczos' iteration."""
     # Of what is constant over a connected part nothing changes: it is set aside, exactly.
@@ -143,6 +149,8 @@ def _transferred(
     root = np.sqrt(mass)
     scale = dia_array((1.0 / root[None, :], 0), shape=stiffness.shape)
     symmetric = csr_array(scale @ stiffness @ scale)
+    # A polynomial of this degree in the matrix resolves waves as long as the profile is wide.
+    enough = 2.0 * reach_mm * np.sqrt(symmetric.diagonal().max())
     start = root * values
     norm = float(np.linalg.norm(start))
     if norm <= 1e-14 * float(np.linalg.norm(root * mean)) or norm == 0.0:
@@ -165,7 +173,8 @@ def _transferred(
             weights, unsure = _small_function(diagonal, beside, transfer, length)
             padded = np.zeros_like(weights)
             padded[: previous.shape[0]] = previous
-            settled = np.abs(weights - padded).max() < tolerance and unsure < tolerance
+            resolved = unsure < tolerance or step + 1 >= enough
+            settled = np.abs(weights - padded).max() < tolerance and resolved
             if exhausted or settled:
                 break
             previous = weights

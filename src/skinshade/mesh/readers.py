@@ -98,7 +98,8 @@ def _parts(file: Path) -> list[dict[str, Any]]:
             matrix, name = scene.graph[node]
             geometry = scene.geometry[name]
             if isinstance(geometry, trimesh.Trimesh):
-                parts.append(_part(geometry, np.asarray(matrix, dtype=np.float64)))
+                part = _part(geometry, np.asarray(matrix, dtype=np.float64))
+                parts.append(_merged(part) if file.suffix.lower() == ".obj" else part)
     except Exception as error:
         raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r}") from None
     if not parts:
@@ -143,6 +144,24 @@ def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:
         "uvs": uvs,
         "attributes": attributes,
     }
+
+
+def _merged(part: dict[str, Any]) -> dict[str, Any]:
+    """One vertex for all corners of equal position, UV and normal: OBJ counts them one by one."""
+    columns = [part[key] for key in ("positions", "uvs", "normals") if part[key] is not None]
+    _, first, group = np.unique(
+        np.concatenate(columns, axis=1), axis=0, return_index=True, return_inverse=True
+    )
+    order = np.argsort(first)  # as they came
+    rank = np.empty_like(order)
+    rank[order] = np.arange(order.size)
+    kept = first[order]
+    merged = {
+        key: None if part[key] is None else part[key][kept]
+        for key in ("positions", "uvs", "normals")
+    }
+    attributes = {key: value[kept] for key, value in part["attributes"].items()}
+    return merged | {"faces": rank[group.ravel()][part["faces"]], "attributes": attributes}
 
 
 def _joined(parts: list[dict[str, Any]], file: Path) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from .._core.errors import ArgumentError
 __all__ = ["TabulatedKernel"]
 
 TABLE_SIZE = 4096
-"""Frequencies at which T is summed once; a cubic spline between them is exact to 1e-7."""
+"""Frequencies at which T is summed once; a cubic spline between them errs by 1e-5."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class TabulatedKernel:
         return result
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
-        """Return T(k) (..., 3) at spatial frequencies in rad/mm, within 1e-6 of the sum."""
+        """Return T(k) (..., 3) at spatial frequencies in rad/mm, within 1e-5 of the sum."""
         low, high = self._table.x[0], self._table.x[-1]
         k = np.asarray(k_per_mm, dtype=np.float64)
         inside = self._table(np.clip(np.log(np.maximum(k, 1e-300)), low, high))

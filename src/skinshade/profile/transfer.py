@@ -204,7 +204,7 @@ class Profile:
 
     @property
     def mixture_residual(self) -> float:
-        """Bound of |ΔT| between `mixture` and the profile; 0 for a Gaussian mixture."""
+        """Max |ΔT| between `mixture` and the profile up to kρ ≈ 150; 0 for a Gaussian mixture."""
         return self._fit[1]
 
     @cached_property
