@@ -194,7 +194,9 @@ def draw(
         heights = [found[model] for found in rows.values()]
         bars.bar(at + 0.2 * (index - 1.5), heights, 0.19, color=colours[model], label=model)
     bars.set_xticks(at, list(rows))
-    bars.set(ylabel="RMS error", title="Bumpy cylinders against exact diffusion (radius, RMS slope)")
+    bars.set(
+        ylabel="RMS error", title="Bumpy cylinders against exact diffusion (radius, RMS slope)"
+    )
     bars.legend(frameon=False, ncols=4)
     truth, seen = body.truth(profile), shaded(body, profile, *made)
     row, place = 100, np.arange(body.size[1]) * body.cell_mm

@@ -96,7 +96,9 @@ BUMPY_PER_SLOPE = {
     "2 fetches": (Tolerance(0.04, "as classic"), Tolerance(0.06, "greatest; .043-.058 measured")),
     "3 fetches": (Tolerance(0.01, "as classic"), Tolerance(0.02, "greatest; .014-.019 measured")),
 }
-RING_ON_CYLINDER = Tolerance(1e-3, "bilinear between 512 columns at the terminator, and its last texel")
+RING_ON_CYLINDER = Tolerance(
+    1e-3, "bilinear between 512 columns at the terminator, and its last texel"
+)
 
 # -- pictures --------------------------------------------------------------------------------------
 
