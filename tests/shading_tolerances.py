@@ -97,8 +97,9 @@ BUMPY_PER_SLOPE = {
     "3 fetches": (Tolerance(0.01, "as classic"), Tolerance(0.02, "greatest; .014-.019 measured")),
 }
 RING_ON_CYLINDER = Tolerance(
-    1e-3, "bilinear between 512 columns at the terminator, and its last texel"
+    3e-4, "RMS around it; a table that ends 1/512 before N·L = 1 gives 2.0e-4, as was measured"
 )
+LAMBERT_ON_CYLINDER = Tolerance(1e-3, "1024 samples of a kink against its series; 3e-4; relative")
 
 # -- pictures --------------------------------------------------------------------------------------
 
@@ -108,3 +109,80 @@ PNG16_STEP = Tolerance(
 )
 OTHER_UNIT = Tolerance(1e-4, "positions written with 9 digits in one unit and 12 in another")
 COVER = Tolerance(0.03, "area of a ball of 642 vertices on 2 samples a pixel; relative")
+
+# -- the rasteriser --------------------------------------------------------------------------------
+
+RASTER = Tolerance(
+    1e-6, "samples 1e-9 from an edge of thin triangles: ill-conditioned barycentrics"
+)
+RASTER_SLOPE = Tolerance(1e-4, "central differences over 2e-5 pixels; relative, absolute below 1")
+FAR_FLOOR = Tolerance(1e-6, "depths of 1 to 10 on a floor of 10⁴; relative")
+FACETED_BALL = Tolerance(
+    5e-3, "depth of 10,242 vertices' chords, at slopes of up to 2; of radius 1"
+)
+
+# -- whole pictures --------------------------------------------------------------------------------
+
+BALL_COVER = Tolerance(0.02, "area of a ball of 642 vertices at 3,000 pixels; relative")
+FACETED_SHADING = Tolerance(3e-3, "points between 2,562 vertices lie off the ball; .0018 measured")
+NO_SCATTER = Tolerance(2e-3, "TABLE_EDGE, of two lamps on albedo .48; .0008 measured")
+FURNACE = Tolerance(1e-4, "harmonics of a constant, float32; .00002 measured; relative")
+MIRRORED_BALL = Tolerance(1e-4, "shadow taps are not mirrored, the ball and lamps are; .000014")
+SHOWN = Tolerance(2e-3, "display values of normals and curvature between 642 vertices; float32")
+SHADOW_TEXEL_MM = Tolerance(0.1, "a ball's depth at its middle on facets of 642 vertices, mm")
+
+# -- shadow maps -----------------------------------------------------------------------------------
+
+SHADOW_PROFILE = Tolerance(0.05, "48 taps, each bilinear in texels of .1 to .8 mm; .044 measured")
+CHORD_MM = Tolerance(1.0, "texels of .12 mm on slopes of up to 2.3, and facets; .7 mm measured")
+SLAB_MM = Tolerance(0.3, "a texel of .28 mm on a slope of 40°, mm")
+
+# -- textures --------------------------------------------------------------------------------------
+
+BILINEAR = Tolerance(1e-6, "weights in float64 of texels in float32, values up to 1")
+
+# -- cameras and lights ----------------------------------------------------------------------------
+
+UNPROJECTED_MM = Tolerance(1e-6, "through the inverse of a matrix of condition 10⁴ and back, mm")
+CONE_KINK = Tolerance(2e-3, "change of slope over .005° of a smoothstep over 6°: 6/36·.005 at most")
+CONE_ROUNDING = Tolerance(1e-7, "rounding of the angle, magnified by distances down to a few mm")
+
+# -- environments ----------------------------------------------------------------------------------
+
+EVEN_SKY = Tolerance(1e-3, "a constant by 128 rows of directions at their middles; .0003 measured")
+COSINE_LOBE = Tolerance(0.01, "bands above 2 of a clamped cosine; .007 measured; of the greatest")
+SUN_KEPT = Tolerance(1e-5, "light of suns in float32, averaged by area in float64; relative")
+LEVEL_MEAN = Tolerance(5e-4, "mean of a level of 128×64 over that of the picture; relative")
+EVEN_REFLECTION = Tolerance(0.01, "harmonics up to 64 by 128 rows at their middles; .006 at poles")
+PHONG_LOBE = Tolerance(
+    3e-4, "of the brightest light and per unit of power: lobes narrow towards the texels of a level"
+)
+
+# -- ambient light at the vertices -----------------------------------------------------------------
+
+CAVITY_LEAK = Tolerance(
+    0.02, "walls seen along themselves, within the bias of 1.5 mm; .013 measured"
+)
+BOWL_MEAN = Tolerance(0.04, "80 directions, walls of 1.5 mm bias; share of the sky")
+BOWL_RMS = Tolerance(0.07, "as BOWL_MEAN, at each vertex")
+FIRST_BOUNCE = Tolerance(0.3, "the bounce is a model of nearby light, not a solution; relative")
+CHORD_TEXELS_MM = Tolerance(3.0, "of a ball of 80 mm in texels of .75 mm; their depth is added")
+SLAB_THROUGH = Tolerance(
+    0.33, "80 directions, .5 mm·tan added at a slant; red; .27 measured; relative"
+)
+
+# -- the built-in head -----------------------------------------------------------------------------
+
+FOLDED_CORNERS = Tolerance(
+    5e-4, "corners whose normal turns from their face: 24 of 119,928, in ears"
+)
+FACE_HALVES_MM = Tolerance(
+    5.0, "from a mirrored vertex to the next one: edges of 4.5 mm; 4.0 found"
+)
+CHART_AREA = Tolerance(2e-3, "texels of 512² whose centre is covered, against the area of charts")
+
+# -- the tiers of geometry, beside diffusion over a mesh ------------------------------------------------
+
+TIER_OVER_PUBLISHED = Tolerance(1.1, "other lights and other meshes of the same bodies")
+TIER_DIGIT = Tolerance(0.5e-4, "half of the last digit that was published")
+TIER_ON_SPHERE = Tolerance(1e-4, "ring times factor is the sphere's kernel to σ³κ³; mesh of 10,242")

@@ -2,28 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import shading_tolerances as tol
+from benchmark_scripts import benchmark
 from skinshade.profile import Profile
 
-SOURCE = Path(__file__).resolve().parents[2] / "benchmarks" / "bumpy.py"
-
-
-def loaded():
-    spec = importlib.util.spec_from_file_location("bumpy", SOURCE)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["bumpy"] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
-
-
-bumpy = loaded()
+bumpy = benchmark("bumpy")
 SKIN = Profile.preset("skin-deon2007")
 
 
@@ -82,8 +68,23 @@ def test_the_relief_has_the_slope_and_the_periods_that_were_asked_for():
     assert power[inside].sum() >= 0.99 * power.sum()
 
 
+def lambert_miss(radius_mm, profile):
+    """RMS over circle and channels of N·L clamped at 0 less its diffusion, by Fourier series.
+
+    cos φ clamped is 1/π + ½ cos φ + (2/π) Σ (−1)ⁿ⁺¹ cos 2nφ/(4n² − 1); diffusion around the cylinder
+    multiplies wave n by T(n/r), and so takes away 1 − T(n/r) of it.
+    """
+    wave = np.concatenate([[1.0], np.arange(2.0, 4000.0, 2.0)])
+    height = np.concatenate([[0.5], 2.0 / np.pi / (wave[1:] ** 2 - 1.0)])
+    miss = height[:, None] * (1.0 - profile.transfer(wave / radius_mm))
+    return np.sqrt(0.5 * np.mean(np.sum(miss**2, axis=0)))
+
+
 def test_without_relief_a_cylinder_is_the_table_itself(tables):
+    """Without diffusion .0057 of light is missed, RMS; with it .0002, at the table's last texel."""
     smooth = bumpy.errors(bumpy.BumpyCylinder(8.0, 1e-6, size=(16, 1024)), SKIN, *tables)
     assert smooth["3 fetches"] <= tol.RING_ON_CYLINDER.value
     assert smooth["2 fetches"] <= tol.RING_ON_CYLINDER.value
-    assert smooth["lambert"] > 10.0 * tol.RING_ON_CYLINDER.value
+    missed = lambert_miss(8.0, SKIN)
+    assert smooth["lambert"] == pytest.approx(missed, rel=tol.LAMBERT_ON_CYLINDER.value)
+    assert missed > 10.0 * tol.RING_ON_CYLINDER.value

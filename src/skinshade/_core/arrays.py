@@ -58,7 +58,7 @@ def as_floats(
         if raw.dtype.kind == "c":
             raise TypeError("complex numbers")
         array = raw.astype(np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise ArgumentError(f"{name}: not an array of numbers ({error})") from None
     if shape is not None:
         fits = array.ndim == len(shape) and all(

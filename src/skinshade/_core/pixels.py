@@ -11,7 +11,7 @@ import OpenImageIO as oiio  # noqa: N813 — the name its own manual gives it
 from numpy.typing import NDArray
 
 from .arrays import ImageArray
-from .errors import FileError, OutputError
+from .errors import ArgumentError, FileError, OutputError
 from .files import atomic_write, existing_file
 
 __all__ = ["read_pixels", "write_pixels"]
@@ -19,12 +19,17 @@ __all__ = ["read_pixels", "write_pixels"]
 DESCRIPTION = "ImageDescription"
 """The one text field that EXR and PNG share under OpenImageIO."""
 LARGEST_SIDE = 32768
+MOST_PIXELS = 2**28
 """A header that claims more is taken for corrupt before memory is asked for it."""
+AS_STORED = "oiio:UnassociatedAlpha"
+"""Unless it is set, colours are multiplied by alpha on reading and divided by it on writing."""
 STORED_AS = {
     np.dtype(np.uint8): "uint8",
     np.dtype(np.uint16): "uint16",
     np.dtype(np.float32): "float",
 }
+TYPES_HELD = {".png": ("uint8", "uint16"), ".exr": ("float32",)}
+"""Any other type would be converted on the way, and not come back as it was."""
 
 
 def read_pixels(path: str | os.PathLike[str], error: type[FileError]) -> tuple[ImageArray, str]:
@@ -36,21 +41,25 @@ def read_pixels(path: str | os.PathLike[str], error: type[FileError]) -> tuple[I
         Of the type given, if the file is missing, not an image, corrupt, or implausibly large.
     """
     file = existing_file(path, error)
-    source = oiio.ImageInput.open(str(file))
+    config = oiio.ImageSpec()
+    config.attribute(AS_STORED, 1)
+    source = oiio.ImageInput.open(str(file), config)
     if source is None:
         raise error(f"{file}: not an image ({_reason(oiio)})")
     try:
         spec = source.spec()
-        if max(spec.width, spec.height) > LARGEST_SIDE:
+        size = spec.width * spec.height
+        if max(spec.width, spec.height) > LARGEST_SIDE or size > MOST_PIXELS:
             raise error(f"{file}: claims {spec.width}×{spec.height} pixels; too large")
         pixels = source.read_image("float")
         reason = _reason(source)
         text = str(spec.getattribute(DESCRIPTION) or "")
-    except UnicodeDecodeError:
+        text.encode()  # bytes that are no text come as lone surrogates
+    except UnicodeError:
         raise error(f"{file}: corrupt (its text is not UTF-8)") from None
     finally:
         source.close()
-    if pixels is None:
+    if pixels is None or reason:  # a JPEG that was cut off is filled up with grey
         raise error(f"{file}: corrupt ({reason})")
     if pixels.ndim == 2:
         pixels = pixels[..., None]
@@ -66,13 +75,23 @@ def write_pixels(
 
     Raises
     ------
-    OutputError
-        If the place cannot be written.
+    ArgumentError, OutputError
+        If the type is not one that the format holds, or the place cannot be written.
     """
+    if pixels.dtype not in STORED_AS:
+        raise ArgumentError(
+            f"{path}: pixels are {pixels.dtype}; uint8, uint16 or float32 is stored"
+        )
+    held = TYPES_HELD.get(Path(path).suffix.lower(), (pixels.dtype.name,))
+    if pixels.dtype.name not in held:
+        raise ArgumentError(
+            f"{path}: pixels are {pixels.dtype}; the format holds {' or '.join(held)}"
+        )
     height, width, channels = pixels.shape
     spec = oiio.ImageSpec(width, height, channels, STORED_AS[pixels.dtype])
     if channels == 4:
         spec.alpha_channel = 3
+    spec.attribute(AS_STORED, 1)
     if description:
         spec.attribute(DESCRIPTION, description)
         spec.attribute("oiio:ColorSpace", "Linear")
@@ -90,7 +109,8 @@ def write_pixels(
 
 
 def _reason(of: Any) -> str:
+    """What went wrong, in one line; nothing if nothing did."""
     try:
-        return str(of.geterror()).strip()
+        return "; ".join(dict.fromkeys(str(of.geterror()).strip().splitlines()))
     except UnicodeDecodeError:  # it quotes a corrupt file's own bytes
         return "its header is corrupt"

@@ -223,10 +223,9 @@ def _draw_compared(
     variants: list[tuple[str, RenderSettings]],
     output: Path,
 ) -> None:
-    pictures = [
-        display(renderer.draw(scene.camera, extent, samples, chosen), scene, chosen)
-        for _, chosen in variants
-    ]
+    ways = [chosen for _, chosen in variants]
+    images = renderer.draw_each(scene.camera, extent, samples, ways)
+    pictures = [display(image, scene, way) for image, way in zip(images, ways, strict=True)]
     write_png(output, side_by_side(pictures, [label for label, _ in variants]))
     typer.echo(f"{output}: {len(pictures)} pictures of {extent[0]}×{extent[1]}")
 

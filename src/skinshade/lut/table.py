@@ -123,7 +123,7 @@ class Lut:
         return self.sample_at(u, v)
 
     def sample_at(self, u: FloatArray, v: FloatArray) -> FloatArray:
-        """Look all channels up at texture coordinates 0..1 (...); no check."""
+        """Look all channels up (..., 3) at texture coordinates u and v (...), 0..1; no check."""
         return self._bilinear(u[..., None], v[..., None])
 
     def sample_channels(self, u: FloatArray, v: FloatArray) -> FloatArray:
@@ -155,7 +155,7 @@ class Lut:
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``.exr`` (float), ``.png`` (16 bits, range in the metadata) or ``.npz``.
+        """Write to a path: ``.exr`` (float), ``.png`` (16 bits, range in the metadata) or ``.npz``.
 
         EXR and npz load back equal; PNG to half a step of range/65535 per channel.
 
@@ -171,6 +171,11 @@ class Lut:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Lut:
         """Read what `save` wrote.
+
+        Parameters
+        ----------
+        path
+            ``.exr``, ``.png`` or ``.npz``.
 
         Raises
         ------

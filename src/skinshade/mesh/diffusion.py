@@ -53,6 +53,8 @@ def diffuse_on_mesh(
     tolerance
         Relative to the input's norm, 1e-12..1e-1: change of any coefficient of the answer at which
         the iteration stops. Faces like needles and profiles with a sharp peak need many steps.
+    progress
+        Called with what is being done and how far it is.
 
     Returns
     -------
@@ -102,6 +104,20 @@ def mesh_diffused_normals(
 
     Their length, below 1 where the surface bends within the mean free path, is the contrast that
     diffusion removes.
+
+    Parameters
+    ----------
+    positions_mm, faces
+        (V, 3) mm and (F, 3), as in `diffuse_on_mesh`.
+    normals
+        (V, 3) unit.
+    profile
+        Any.
+
+    Raises
+    ------
+    ArgumentError, MeshError
+        If an array is malformed, or the mesh has no area.
     """
     return np.swapaxes(diffuse_on_mesh(positions_mm, faces, normals, profile), -1, -2)
 

@@ -75,6 +75,23 @@ class Mesh:
         are missing, zero or not finite are computed. Edges with one face (``open edges``) or more
         than two (``non-manifold edges``) and neighbours of opposite winding are counted and kept.
 
+        Parameters
+        ----------
+        positions
+            (V, 3) in units of `unit_mm`, ±1e15.
+        faces
+            (F, 3) indices of vertices, counter-clockwise seen from outside.
+        unit_mm
+            Length of one unit of `positions`, mm, > 0.
+        normals
+            (V, 3) of any length, pointing out of the body; computed if not given.
+        uvs
+            (V, 2) texture coordinates, v down (glTF).
+        attributes
+            Further per-vertex values by name, (V,) or (V, n).
+        name
+            What messages call the mesh.
+
         Raises
         ------
         MeshError, ArgumentError

@@ -61,7 +61,12 @@ class Profile:
 
     @classmethod
     def preset(cls, name: str) -> Profile:
-        """Return one of the `presets`.
+        """Return one of the profiles that ship with skinshade.
+
+        Parameters
+        ----------
+        name
+            One of `skinshade.presets`.
 
         Raises
         ------

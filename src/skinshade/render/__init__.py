@@ -4,6 +4,7 @@ The package bears the name of its one verb, and is called like it: ``skinshade.r
 binds a submodule to its name in the parent, so a function of that name could not live beside it.
 """
 
+import inspect
 import sys
 from types import ModuleType
 
@@ -14,6 +15,7 @@ __all__ = ["DEBUG_VIEWS", "RenderSettings", "render"]
 
 class _CallablePackage(ModuleType):
     __call__ = staticmethod(render)
+    __signature__ = inspect.signature(render)
 
 
 sys.modules[__name__].__class__ = _CallablePackage

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal, Protocol, get_args
 
 import numpy as np
@@ -79,6 +80,15 @@ class Renderer(Protocol):
     ) -> ImageArray:
         """Return (H, W, 4) linear light and coverage."""
 
+    def draw_each(
+        self,
+        camera: Camera,
+        size: tuple[int, int],
+        samples: int,
+        ways: Sequence[RenderSettings],
+    ) -> list[ImageArray]:
+        """Return a picture for each of the settings, which share the first one's seed."""
+
 
 def open_renderer(scene: Scene, backend: Backend = "auto", progress: Progress = silent) -> Renderer:
     """Make a scene ready to be drawn many times.
@@ -148,8 +158,3 @@ def display(image: ImageArray, scene: Scene, settings: RenderSettings) -> FloatA
     if settings.debug_view in GEOMETRY_VIEWS:
         return srgb_from_linear(light)
     return tonemap(light, scene.tone, scene.exposure)
-
-
-def without_debug(settings: RenderSettings) -> RenderSettings:
-    """Return the settings of the whole picture."""
-    return replace(settings, debug_view=None)

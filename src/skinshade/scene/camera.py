@@ -75,6 +75,8 @@ class Camera:
             object.__setattr__(self, name, as_floats(f"camera {name}", getattr(self, name), (3,)))
         if np.array_equal(self.position_mm, self.target_mm):
             raise ArgumentError(f"camera: position and target are both {self.position_mm} mm")
+        if not self.up.any():
+            raise ArgumentError("camera up is 0, 0, 0; it must be a direction")
         as_floats("camera vertical_fov_deg", self.vertical_fov_deg, (), low=1.0, high=150.0)
 
     @classmethod
@@ -89,7 +91,23 @@ class Camera:
     ) -> Camera:
         """Return a camera on a sphere about a target.
 
-        Yaw 0 looks at a face that looks towards +z, 90 at its left side; pitch 90 looks down.
+        Parameters
+        ----------
+        target_mm
+            (3,) mm.
+        distance_mm
+            Radius of the sphere, mm, > 0.
+        yaw_deg
+            Degrees; 0 looks at a face that looks towards +z, 90 at its left side.
+        pitch_deg
+            Degrees, −90..90; 90 looks down.
+        vertical_fov_deg
+            Degrees, 1..150.
+
+        Raises
+        ------
+        ArgumentError
+            If a value is out of range.
         """
         target = as_floats("target_mm", target_mm, (3,))
         return cls(
@@ -97,14 +115,14 @@ class Camera:
         )
 
     def orbited(self, yaw_deg: float) -> Camera:
-        """Return the camera turned about the vertical through its target."""
+        """Return the camera turned by a yaw, degrees, about the vertical through its target."""
         a = np.radians(yaw_deg)
         x, y, z = self.position_mm - self.target_mm
         turned = np.array([x * np.cos(a) + z * np.sin(a), y, z * np.cos(a) - x * np.sin(a)])
         return replace(self, position_mm=self.target_mm + turned)
 
     def view_projection(self, aspect: float) -> FloatArray:
-        """Return the (4, 4) matrix from mm to clip coordinates."""
+        """Return the (4, 4) matrix from mm to clip coordinates; the aspect is width over height."""
         distance = float(np.linalg.norm(self.position_mm - self.target_mm))
         projection = perspective(self.vertical_fov_deg, aspect, 0.01 * distance, 100.0 * distance)
         return projection @ look_at(self.position_mm, self.target_mm, self.up)

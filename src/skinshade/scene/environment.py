@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, ImageArray, as_floats
+from .._core.arrays import FloatArray, ImageArray, as_floats, as_rgb
 from .._core.errors import ArgumentError
 from .images import read_linear
 
@@ -64,23 +65,36 @@ class Environment:
     visible: bool = False
 
     def __post_init__(self) -> None:
-        if (
-            self.radiance.ndim != 3
-            or self.radiance.shape[2] != 3
-            or min(self.radiance.shape[:2]) < 2
-        ):
+        try:
+            picture = np.asarray(self.radiance, dtype=np.float32)
+        except (TypeError, ValueError, OverflowError) as error:
             raise ArgumentError(
-                f"environment: shape is {self.radiance.shape}; it must be (H, W, 3)"
+                f"environment radiance: not an array of numbers ({error})"
+            ) from None
+        if picture.ndim != 3 or picture.shape[2] != 3 or min(picture.shape[:2]) < 2:
+            raise ArgumentError(
+                f"environment radiance: shape is {picture.shape}; it must be (H, W, 3), H and W 2"
+                " at least"
             )
+        object.__setattr__(self, "radiance", picture)
         if not np.isfinite(self.radiance).all() or self.radiance.min() < 0.0:
-            raise ArgumentError("environment: radiance must be finite and not negative")
+            raise ArgumentError("environment radiance: must be finite and not negative")
         as_floats("environment scale", self.scale, (), low=0.0)
 
     @classmethod
     def load(
         cls, path: str | os.PathLike[str], *, scale: float = 1.0, visible: bool = False
     ) -> Environment:
-        """Read an equirectangular ``.hdr`` or ``.exr`` (or any image).
+        """Read an equirectangular picture.
+
+        Parameters
+        ----------
+        path
+            ``.hdr`` or ``.exr``, linear, or any other image, sRGB; below 0 is taken for 0.
+        scale
+            Multiplies it, ≥ 0.
+        visible
+            Whether it is the background too.
 
         Raises
         ------
@@ -90,14 +104,33 @@ class Environment:
         return cls(np.maximum(read_linear(path), 0.0), scale, visible)
 
     @classmethod
-    def constant(cls, radiance: float | FloatArray, *, scale: float = 1.0) -> Environment:
-        """Return the same radiance from everywhere."""
-        picture = np.broadcast_to(np.asarray(radiance, dtype=np.float32), (16, 32, 3))
-        return cls(np.ascontiguousarray(picture), scale)
+    def constant(cls, radiance: ArrayLike, *, scale: float = 1.0) -> Environment:
+        """Return the same radiance from everywhere.
+
+        Parameters
+        ----------
+        radiance
+            (3,) or scalar, linear, ≥ 0.
+        scale
+            Multiplies it, ≥ 0.
+
+        Raises
+        ------
+        ArgumentError
+            If a value is out of range, or the shape another.
+        """
+        colour = as_rgb("environment radiance", radiance, low=0.0).astype(np.float32)
+        return cls(np.ascontiguousarray(np.broadcast_to(colour, (16, 32, 3))), scale)
 
     @classmethod
     def studio(cls, *, scale: float = 1.0) -> Environment:
-        """Return the built-in photographer's studio: a large soft key, fill, rim light, dark walls."""
+        """Return the built-in photographer's studio: a large soft key, fill, rim light, dark walls.
+
+        Parameters
+        ----------
+        scale
+            Multiplies it, ≥ 0.
+        """
         height, width = WORK_SIZE[1], WORK_SIZE[0]
         directions = _grid_directions(height, width)
         picture = np.full((height, width, 3), 0.06) * (0.6 + 0.4 * directions[..., 1:2])
@@ -178,14 +211,28 @@ def _row_solid_angle(height: int) -> FloatArray:
 
 
 def _averaged(picture: ImageArray, size: tuple[int, int]) -> FloatArray:
-    """Average whole blocks down to about a size; light is kept, however small a sun is."""
+    """Average by area to a size; light is kept, however small a sun is."""
     height, width = picture.shape[:2]
-    if height < size[1] or width < size[0]:
-        picture = picture.repeat(-(-size[1] // height), axis=0).repeat(-(-size[0] // width), axis=1)
-        height, width = picture.shape[:2]
-    fy, fx = max(1, height // size[1]), max(1, width // size[0])
-    whole = picture[: height // fy * fy, : width // fx * fx].astype(np.float64)
-    return whole.reshape(height // fy, fy, width // fx, fx, 3).mean(axis=(1, 3))
+    rows = _mean_between(picture.astype(np.float64), _row_edges(height), _row_edges(size[1]))
+    columns = _mean_between(
+        rows.swapaxes(0, 1), np.linspace(0.0, 1.0, width + 1), np.linspace(0.0, 1.0, size[0] + 1)
+    )
+    return columns.swapaxes(0, 1)
+
+
+def _row_edges(height: int) -> FloatArray:
+    """Between equal steps of it lie equal solid angles."""
+    return -np.cos(np.arange(height + 1) / height * np.pi)
+
+
+def _mean_between(values: FloatArray, edges: FloatArray, wanted: FloatArray) -> FloatArray:
+    """Mean between one set of edges of values (n, ...) that are constant between another."""
+    step = np.diff(edges)
+    sums = np.concatenate([np.zeros_like(values[:1]), np.cumsum(values * step[:, None, None], 0)])
+    at = np.clip(np.searchsorted(edges, wanted, side="right") - 1, 0, step.size - 1)
+    share = ((wanted - edges[at]) / step[at])[:, None, None]
+    read = sums[at] + share * (sums[at + 1] - sums[at])
+    return np.diff(read, axis=0) / np.diff(wanted)[:, None, None]
 
 
 def _low_basis(directions: FloatArray) -> FloatArray:

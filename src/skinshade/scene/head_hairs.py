@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
-from skinshade.scene.head_texels import TexelFrame
+from .head_texels import TexelFrame
 
 Float32 = NDArray[np.float32]
 Int32 = NDArray[np.int32]

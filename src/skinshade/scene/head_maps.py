@@ -15,14 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinshade.scene.head_hairs import eyebrows, lashes
-from skinshade.scene.head_noise import (
-    cellular_volume,
-    sample_cells,
-    sample_smooth,
-    smooth_volume,
-)
-from skinshade.scene.head_texels import (
+from .._core.errors import ArgumentError
+from .head_hairs import eyebrows, lashes
+from .head_noise import cellular_volume, sample_cells, sample_smooth, smooth_volume
+from .head_texels import (
     TexelFrame,
     Texels,
     bands,
@@ -325,7 +321,7 @@ def head_maps(
     size
         Texels along a side, even.
     seed
-        Another seed gives other freckles, pores and hairs; the same seed the same bytes.
+        Not negative. Another gives other freckles, pores and hairs; the same one the same bytes.
 
     Returns
     -------
@@ -333,7 +329,9 @@ def head_maps(
         Values run on 14 texels past the charts' borders, and are neutral beyond.
     """
     if size < 16 or size % 2:
-        raise ValueError(f"size is {size}: it must be even and at least 16")
+        raise ArgumentError(f"size is {size}; it must be even and at least 16")
+    if not isinstance(seed, (int, np.integer)) or seed < 0:
+        raise ArgumentError(f"seed is {seed!r}; it must be a whole number, 0 or more")
     rng = np.random.default_rng(seed)
     triangles = np.ascontiguousarray(faces, dtype=np.int32)
     points = np.asarray(positions_mm, dtype=np.float32)

@@ -65,7 +65,18 @@ SCANS = {
 
 @cache
 def builtin_head(seed: int = 0) -> tuple[Mesh, Material]:
-    """Return the head that ships with skinshade, and its skin; maps are generated from the seed."""
+    """Return the head that ships with skinshade, and its skin.
+
+    Parameters
+    ----------
+    seed
+        ≥ 0; another one gives other freckles, pores and hairs, the same one the same maps.
+
+    Raises
+    ------
+    ArgumentError
+        If the seed is no whole number or below 0.
+    """
     with as_file(files(__package__).joinpath("assets/head.glb")) as path:
         mesh = load_mesh(path)
     assert mesh.uvs is not None

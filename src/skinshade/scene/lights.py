@@ -15,6 +15,9 @@ __all__ = ["DirectionalLight", "Light", "SpotLight"]
 MARGIN = 1.03
 """Shadow maps reach this far past the body, so that a filter at its edge finds empty texels."""
 
+LEAST_DISTANCE_MM = 1.0
+"""A lamp is no point: nearer than this the square of the distance no longer holds."""
+
 
 @dataclass(frozen=True)
 class DirectionalLight:
@@ -40,7 +43,22 @@ class DirectionalLight:
 
     @classmethod
     def from_angles(cls, yaw_deg: float, pitch_deg: float, intensity: float) -> DirectionalLight:
-        """Return a white light; yaw from +z to +x, pitch to +y; intensity 1 is irradiance π."""
+        """Return a white light from a direction.
+
+        Parameters
+        ----------
+        yaw_deg
+            Degrees from +z towards +x.
+        pitch_deg
+            Degrees towards +y, −90..90.
+        intensity
+            Irradiance over π, ≥ 0.
+
+        Raises
+        ------
+        ArgumentError
+            If a value is not finite, or the intensity negative.
+        """
         return cls(direction_of(yaw_deg, pitch_deg), np.full(3, np.pi * intensity))
 
     def at(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -53,7 +71,7 @@ class DirectionalLight:
     def view_and_projection(
         self, centre_mm: FloatArray, radius_mm: float
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the matrices (4, 4) of a shadow map that holds a sphere."""
+        """Return the matrices (4, 4) of a shadow map that holds a sphere: centre (3,), radius, mm."""
         reach = MARGIN * radius_mm
         view = look_at(centre_mm + 2.0 * reach * self.to_light, centre_mm, _up(self.to_light))
         return view, parallel(reach, reach, 3.0 * reach)
@@ -89,8 +107,8 @@ class SpotLight:
     def at(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return direction (..., 3) and irradiance (..., 3) at positions (..., 3)."""
         to_light = self.position_mm - position_mm
-        distance2 = dot(to_light, to_light)[..., None]
-        direction = to_light / np.sqrt(distance2)
+        distance2 = np.maximum(dot(to_light, to_light), LEAST_DISTANCE_MM**2)[..., None]
+        direction = unit_vectors(to_light)
         axis = self.position_mm - self.target_mm
         outer, inner = np.cos(np.radians([self.cone_deg, 0.8 * self.cone_deg]))
         along = dot(direction, unit_vectors(axis))[..., None]
@@ -101,7 +119,10 @@ class SpotLight:
     def view_and_projection(
         self, centre_mm: FloatArray, radius_mm: float
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the matrices (4, 4) of a shadow map that holds the cone up to a sphere's far end."""
+        """Return the matrices (4, 4) of a shadow map that holds the cone up to a sphere's far end.
+
+        The sphere's centre (3,) and radius are in mm.
+        """
         distance = float(np.linalg.norm(centre_mm - self.position_mm))
         near = max(distance - MARGIN * radius_mm, 1e-2 * distance)
         axis = unit_vectors(self.position_mm - self.target_mm)

@@ -54,3 +54,9 @@ class Material:
                 )
             if not np.isfinite(picture).all():
                 raise ArgumentError(f"material {name}: must be finite")
+
+    @property
+    def has_maps(self) -> bool:
+        """Whether anything differs from texel to texel, so that the mesh must have UVs."""
+        maps = (self.albedo, self.normal, self.specular, self.deep_scatter)
+        return any(picture is not None and picture.shape[:2] != (1, 1) for picture in maps)

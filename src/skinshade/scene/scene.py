@@ -7,12 +7,13 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, as_rgb
-from .._core.errors import ArgumentError, SceneFileError, SkinshadeError
+from .._core.arrays import FloatArray, as_floats, as_rgb
+from .._core.errors import ArgumentError, SceneFileError
 from .._core.files import existing_file
 from ..mesh import Mesh, load_mesh
 from ..params import SkinParams
@@ -60,6 +61,11 @@ class Scene:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "background", as_rgb("background", self.background, low=0.0))
+        as_floats("exposure", self.exposure, (), low=0.0)
+        if self.tone not in get_args(ToneMap):
+            raise ArgumentError(f"tone is {self.tone!r}; it must be one of srgb, filmic")
+        if self.mesh.uvs is None and self.material.has_maps:
+            raise ArgumentError("the mesh has no UVs, so no map can be placed on it")
 
     def with_params(self, **changes: Any) -> Scene:
         """Return the scene with some of its material's `SkinParams` changed."""
@@ -76,7 +82,7 @@ def load_scene(path: str | os.PathLike[str], *, light: str = "front") -> Scene:
         JSON: ``unit_mm``, ``mesh`` (path), ``textures`` (color, normal), ``camera`` (position, target,
         up, vfov_deg), ``sun`` (irradiance_perpendicular, to_light by name), ``environment`` (path,
         scale, visible_to_camera) and ``materials``; lengths in ``unit_mm``. A path may be relative to
-        the file itself, or to a ``data`` folder beside it.
+        the file itself, or to a ``data`` folder beside it; a note may follow a texture's, after a space.
     light
         Which of the named sun directions.
 
@@ -93,85 +99,125 @@ def load_scene(path: str | os.PathLike[str], *, light: str = "front") -> Scene:
     if not isinstance(record, dict):
         raise SceneFileError(f"{file}: must hold a JSON object")
     try:
-        return _scene(record, file, light)
+        return _scene(_Record("", record), file, light)
     except ArgumentError as error:
         raise SceneFileError(f"{file}: {error}") from None
-    except SkinshadeError:
-        raise
-    except KeyError as error:
-        raise SceneFileError(f"{file}: lacks the field {error}") from None
-    except (TypeError, ValueError, AttributeError, IndexError) as error:
-        raise SceneFileError(f"{file}: a field has a wrong type or value ({error})") from None
 
 
-def _scene(record: Mapping[str, Any], file: Path, light: str) -> Scene:
-    unit = float(record["unit_mm"])
-    mesh = load_mesh(_resolved(file, record["mesh"]["path"]), unit_mm=unit)
-    textures = record.get("textures", {})
-    if "V runs UP" in str(record["mesh"].get("uv_note", "")) or record["mesh"].get("flip_v", False):
+@dataclass(frozen=True)
+class _Record:
+    """An object of the file, and what it is called there."""
+
+    name: str
+    fields: Mapping[str, Any]
+
+    def _called(self, field: str) -> str:
+        return f"{self.name}.{field}" if self.name else field
+
+    def _value(self, field: str, default: Any = None) -> Any:
+        value = self.fields.get(field, default)
+        if value is None:
+            raise ArgumentError(f"{self.name} lacks the field {field!r}".strip())
+        return value
+
+    def record(self, field: str, default: Any = None) -> _Record:
+        """Return the object in a field."""
+        value = self._value(field, default)
+        if not isinstance(value, dict):
+            raise ArgumentError(f"{self._called(field)} is {value!r}; it must be an object")
+        return _Record(self._called(field), value)
+
+    def text(self, field: str, default: str | None = None) -> str:
+        """Return the text in a field."""
+        value = self._value(field, default)
+        if not isinstance(value, str):
+            raise ArgumentError(f"{self._called(field)} is {value!r}; it must be text")
+        return value
+
+    def number(
+        self, field: str, default: float | None = None, low: float = -np.inf, high: float = np.inf
+    ) -> float:
+        """Return the finite number in a field, within a closed range."""
+        value = self._value(field, default)
+        return float(as_floats(self._called(field), value, (), low=low, high=high))
+
+    def vector(self, field: str, default: ArrayLike | None = None) -> FloatArray:
+        """Return the three finite numbers (3,) in a field."""
+        return as_floats(self._called(field), self._value(field, default), (3,))
+
+
+def _scene(record: _Record, file: Path, light: str) -> Scene:
+    unit = record.number("unit_mm")
+    model = record.record("mesh")
+    mesh = load_mesh(_resolved(file, model.text("path")), unit_mm=unit)
+    textures = record.record("textures", {})
+    if "V runs UP" in model.text("uv_note", "") or model.fields.get("flip_v", False):
         mesh = mesh.with_uvs_flipped()
     material = Material()
-    if "color" in textures:
-        picture = read_linear(_resolved(file, _first_word(textures["color"])))
+    if "color" in textures.fields:
+        picture = read_linear(_picture(file, textures.text("color")))
         material = replace(material, albedo=picture)
-    material = _with_skin(material, record.get("materials", {}))
-    if "normal" in textures:
-        normal = read_normal_map(_resolved(file, _first_word(textures["normal"])))
+    material = _with_skin(material, record.record("materials", {}))
+    if "normal" in textures.fields:
+        normal = read_normal_map(_picture(file, textures.text("normal")))
         material = replace(material, normal=normal)
-    camera = record["camera"]
+    camera = record.record("camera")
     return Scene(
         mesh,
         Camera(
-            np.asarray(camera["position"], dtype=np.float64) * unit,
-            np.asarray(camera["target"], dtype=np.float64) * unit,
-            float(camera["vfov_deg"]),
-            np.asarray(camera.get("up", (0.0, 1.0, 0.0)), dtype=np.float64),
+            camera.vector("position") * unit,
+            camera.vector("target") * unit,
+            camera.number("vfov_deg", low=1.0, high=150.0),
+            camera.vector("up", (0.0, 1.0, 0.0)),
         ),
         material,
-        _lights(record, file, light),
+        _lights(record, light),
         _environment(record, file),
-        tone="filmic" if str(record.get("tonemap", "none")).startswith("filmic") else "srgb",
+        tone="filmic" if record.text("tonemap", "none").startswith("filmic") else "srgb",
     )
 
 
-def _lights(record: Mapping[str, Any], file: Path, light: str) -> tuple[Light, ...]:
-    if "sun" not in record:
+def _lights(record: _Record, light: str) -> tuple[Light, ...]:
+    if "sun" not in record.fields:
         return ()
-    sun = record["sun"]
-    names = sun["to_light"]
-    if light not in names:
-        raise SceneFileError(f"{file}: has no light {light!r}; there are {', '.join(names)}")
-    return (DirectionalLight(names[light], sun["irradiance_perpendicular"]),)
+    sun = record.record("sun")
+    directions = sun.record("to_light")
+    if light not in directions.fields:
+        names = ", ".join(directions.fields)
+        raise ArgumentError(f"has no light {light!r}; there are {names}")
+    return (DirectionalLight(directions.vector(light), sun.vector("irradiance_perpendicular")),)
 
 
-def _environment(record: Mapping[str, Any], file: Path) -> Environment | None:
-    if "environment" not in record:
+def _environment(record: _Record, file: Path) -> Environment | None:
+    if "environment" not in record.fields:
         return None
-    surroundings = record["environment"]
+    surroundings = record.record("environment")
     return Environment.load(
-        _resolved(file, surroundings["path"]),
-        scale=float(surroundings.get("scale", 1.0)),
-        visible=bool(surroundings.get("visible_to_camera", False)),
+        _resolved(file, surroundings.text("path")),
+        scale=surroundings.number("scale", 1.0, low=0.0),
+        visible=bool(surroundings.fields.get("visible_to_camera", False)),
     )
 
 
-def _with_skin(material: Material, materials: Mapping[str, Any]) -> Material:
+def _with_skin(material: Material, materials: _Record) -> Material:
     """Take profile and gloss from the first material that has a radius.
 
     ``radius_mm`` is a diffuse mean free path, as path tracers with a skin closure take it: its walk has
     the mean free path at which diffusion theory gives that length.
     """
-    for record in materials.values():
-        if "radius_mm" not in record:
+    for name in materials.fields:
+        record = materials.record(name)
+        if "radius_mm" not in record.fields:
             continue
-        ior = float(record.get("ior", 1.4))
+        ior = record.number("ior", 1.4, low=1.0)
+        roughness = record.number("roughness", 0.5, low=0.0, high=1.0)
         params = SkinParams(
-            gloss=float(gloss_from_roughness(float(record.get("roughness", 0.5)))),
+            gloss=float(gloss_from_roughness(roughness)),
             reflectance=((ior - 1.0) / (ior + 1.0)) ** 2,
         )
         albedo = material.albedo.reshape(-1, 3).mean(axis=0, dtype=np.float64)
         profile = Profile.burley(
-            length_mm=record["radius_mm"], kind="diffuse-mean-free-path", albedo=albedo
+            length_mm=record.fields["radius_mm"], kind="diffuse-mean-free-path", albedo=albedo
         )
         return replace(material, profile=profile, params=params)
     return material
@@ -182,5 +228,12 @@ def _resolved(file: Path, name: str) -> Path:
     return beside if beside.exists() else file.parent / "data" / name
 
 
-def _first_word(text: str) -> str:
-    return text.split(" ")[0]
+def _picture(file: Path, text: str) -> Path:
+    """A name may hold spaces, and a note may follow it after one: what there is decides."""
+    try:
+        whole = _resolved(file, text)
+        if whole.is_file():
+            return whole
+    except OSError:  # with its note it is too long for a name
+        pass
+    return _resolved(file, text.split(" ")[0])

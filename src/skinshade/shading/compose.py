@@ -7,23 +7,18 @@ Each gives the same named terms, which add up to the picture.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Literal
 
 import numpy as np
 
-from .._core.arrays import FloatArray, dot, unit_vectors
-from ..lut import Lut, build_curvature_lut, build_shadow_lut
-from ..lut.classic import classic_curvature_lut, classic_shadow_lut
-from ..lut.spectral import DiffusionGeometry
-from ..params import SkinParams
-from ..profile import Profile
+from .._core.arrays import FloatArray, dot
 from ..profile.energy import energy_gain
 from . import ambient, classic, deep_scatter, direct, normals, shadow, specular
-from .normals import NormalBlend
+from .pixel import Ambient, Incident, Surface
+from .skin import Skin
 
-__all__ = ["TERMS", "Ambient", "Incident", "ShadingMode", "Skin", "Surface", "Tier", "shade"]
+__all__ = ["TERMS", "ShadingMode", "Tier", "shade"]
 
 ShadingMode = Literal["lambert", "classic", "transfer"]
 Tier = Literal["scalar", "tensor", "diffused-normals"]
@@ -37,189 +32,6 @@ TERMS = (
     "ambient_specular",
 )
 """What `shade` returns: diffuse terms carry the albedo, all are radiance."""
-
-
-TABLE_RADIUS_MM = (0.5, 4000.0)
-"""Radii of curvature that the tables hold: from a lash line to what is flat for any profile."""
-TABLE_SIZE = (512, 128)
-
-
-@dataclass(frozen=True)
-class Skin:
-    """What is the same for every pixel of a material: tables and fitted weights, made when asked for.
-
-    Attributes
-    ----------
-    profile
-        Already scaled by ``params.scatter_scale``.
-    params
-        The numbers of the material.
-    """
-
-    profile: Profile
-    params: SkinParams
-
-    @classmethod
-    def of(cls, profile: Profile, params: SkinParams) -> Skin:
-        """Return the skin of a material's profile and parameters."""
-        return cls(profile.scaled(params.scatter_scale), params)
-
-    def transfer(self, k_per_mm: FloatArray) -> FloatArray:
-        """Return the profile's T(k) (..., 3)."""
-        return self.profile.kernel.transfer(k_per_mm)
-
-    @cached_property
-    def sphere(self) -> Lut:
-        """Curvature table of the sphere, without energy gain."""
-        return self._curvature_table("sphere")
-
-    @cached_property
-    def ring(self) -> Lut:
-        """Curvature table of the ring, without energy gain."""
-        return self._curvature_table("ring")
-
-    @cached_property
-    def shadow(self) -> Lut:
-        """Shadow table for the material's filter, down to grazing light."""
-        width = self.params.shadow_filter_width_mm
-        return build_shadow_lut(
-            self.profile,
-            size=(512, 64),
-            width_mm=(width, width / shadow.LEAST_COSINE),
-            sharpening=self.params.shadow_sharpening,
-        )
-
-    @cached_property
-    def classic_curvature(self) -> Lut:
-        """Curvature table of 2014."""
-        return classic_curvature_lut(self.profile, size=(512, 64))
-
-    @cached_property
-    def classic_shadow(self) -> Lut:
-        """Shadow table of 2014."""
-        return classic_shadow_lut(
-            self.profile, size=(512, 64), sharpening=self.params.shadow_sharpening
-        )
-
-    @cached_property
-    def blend(self) -> NormalBlend:
-        """Weights of the normal fetches."""
-        return normals.normal_blend(self.profile)
-
-    @property
-    def sigma_per_mm(self) -> FloatArray:
-        """(3,) decay of light that comes through the body."""
-        default = deep_scatter.default_sigma_per_mm(self.profile.rms_radius_mm)
-        given = np.asarray(self.params.deep_scatter_sigma_per_mm)
-        return np.where(given > 0.0, given, default)
-
-    def _curvature_table(self, kernel: DiffusionGeometry) -> Lut:
-        return build_curvature_lut(
-            self.profile,
-            size=TABLE_SIZE,
-            radius_mm=TABLE_RADIUS_MM,
-            kernel=kernel,
-            energy_gain=False,
-        )
-
-
-@dataclass(frozen=True)
-class Surface:
-    """What a pixel sees, (N, ...) each.
-
-    Attributes
-    ----------
-    view
-        (N, 3) unit, towards the eye.
-    mesh_normal
-        (N, 3) unit, interpolated.
-    fetched
-        (N, n+1, 3) normal map at each blur of ``Skin.blend``, sharp first, in world axes.
-    curvature_per_mm
-        (N,) mean curvature.
-    albedo
-        (N, 3).
-    gloss, reflectance
-        (N,).
-    tint
-        (N, 3) of light that comes through.
-    tensor_world
-        (N, 6) shape operator, 1/mm, or None.
-    diffused_normals
-        (N, 3, 3) mesh normals diffused by the profile, or None.
-    diffused_curvature_per_mm
-        (N, 3) mean curvature diffused by the profile, or None; the energy gain takes it.
-    """
-
-    view: FloatArray
-    mesh_normal: FloatArray
-    fetched: FloatArray
-    curvature_per_mm: FloatArray
-    albedo: FloatArray
-    gloss: FloatArray
-    reflectance: FloatArray
-    tint: FloatArray
-    tensor_world: FloatArray | None = None
-    diffused_normals: FloatArray | None = None
-    diffused_curvature_per_mm: FloatArray | None = None
-
-    @property
-    def sharp(self) -> FloatArray:
-        """(N, 3) unit normal of the map without blur."""
-        return unit_vectors(self.fetched[:, 0])
-
-    @property
-    def blurred(self) -> FloatArray:
-        """(N, 3) unit normal of the widest blur."""
-        return unit_vectors(self.fetched[:, -1])
-
-
-@dataclass(frozen=True)
-class Incident:
-    """One light at each pixel.
-
-    Attributes
-    ----------
-    to_light
-        (N, 3) unit.
-    radiance
-        (N, 3) irradiance over π on a surface that faces it.
-    shadow_filter
-        (N,) of the wide filter, 0..1.
-    thickness_mm
-        (N,) towards the light, or None for no deep scatter.
-    """
-
-    to_light: FloatArray
-    radiance: FloatArray
-    shadow_filter: FloatArray
-    thickness_mm: FloatArray | None = None
-
-
-@dataclass(frozen=True)
-class Ambient:
-    """Light from all around at each pixel.
-
-    Attributes
-    ----------
-    radiance_sh
-        (9, 3).
-    visibility
-        (N, 3) share that arrives.
-    bounced
-        (N, 3) irradiance over π from the body's own lit parts where they hide the surroundings.
-    through
-        (N, 3) irradiance over π that arrives through the body, or None.
-    reflected
-        (N, 3) preconvolved radiance in the mirror direction, both lobes.
-    """
-
-    radiance_sh: FloatArray
-    visibility: FloatArray
-    bounced: FloatArray
-    reflected: FloatArray
-    through: FloatArray | None = None
-
 
 _Direct = Callable[[Skin, Surface, FloatArray, Incident], dict[str, FloatArray]]
 

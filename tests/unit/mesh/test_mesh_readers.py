@@ -254,7 +254,8 @@ def test_gltf_of_implausible_size_warns_and_says_what_to_do(tmp_path, scale):
 def test_gltf_of_plausible_size_does_not_warn(tmp_path, scale):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        load_mesh(exported(tmp_path, ".glb", scale=scale))
+        mesh = load_mesh(exported(tmp_path, ".glb", scale=scale))
+    assert mesh.unit_mm == 1000.0
 
 
 def test_a_stated_unit_is_believed_without_a_warning(tmp_path):

@@ -9,8 +9,10 @@ import shading_tolerances as tol
 from skinshade.params import SkinParams
 from skinshade.profile import Profile
 from skinshade.profile.energy import energy_gain
-from skinshade.shading.compose import TERMS, Ambient, Incident, Skin, Surface, shade
+from skinshade.shading.compose import TERMS, shade
 from skinshade.shading.deep_scatter import transmittance
+from skinshade.shading.pixel import Ambient, Incident, Surface
+from skinshade.shading.skin import Skin
 from skinshade.shading.specular import ambient_specular_fresnel, diffuse_share, specular
 
 MODES = ("lambert", "classic", "transfer")

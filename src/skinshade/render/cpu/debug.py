@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..._core.arrays import FloatArray
-from ...shading.compose import Incident, Surface
+from ...shading.pixel import Incident, Surface
 from ...shading.tonemap import linear_from_srgb
 
 __all__ = ["debug_image"]

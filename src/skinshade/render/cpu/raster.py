@@ -20,6 +20,11 @@ __all__ = ["Fragments", "depth_maps", "rasterize"]
 CANDIDATES_PER_BATCH = 1 << 20
 """Pairs of face and pixel tested at once: bounds the memory at about 100 MiB whatever the mesh."""
 
+EDGE_SLACK = 1e-14
+"""Of the largest term of an edge function: rounding must not part two faces on a sample between them."""
+BOX_SLACK = 1e-6
+"""Pixels by which boxes are wider than their faces: x·w/w is not x to the last bit."""
+
 
 @dataclass(frozen=True)
 class Fragments:
@@ -159,7 +164,10 @@ def _covered(
 ) -> Iterator[tuple[IntArray, IntArray, FloatArray]]:
     """Yield batches (face, pixel, depth) of every sample within a face."""
     # Component by component: sums over an axis of three are what NumPy is slowest at.
-    table = np.ascontiguousarray(functions.reshape(-1, 9).T)
+    reach = np.abs(functions) @ np.array([size[0], size[1], 1.0])
+    widened = functions.copy()
+    widened[:, :, 2] += EDGE_SLACK * reach
+    table = np.ascontiguousarray(widened.reshape(-1, 9).T)
     depth_table = np.ascontiguousarray(planes.T)
     for face, column, row in _candidates(clip, faces, size, offset):
         x, y = column + offset[0], row + offset[1]
@@ -201,8 +209,10 @@ def _candidates(
     any_behind = np.asarray(each_behind.any(axis=1))
     all_behind = np.asarray(each_behind.all(axis=1))
     limit = np.array([width, height], dtype=np.float64)
-    low = np.where(any_behind[:, None], 0.0, np.ceil(corners.min(axis=1) - offset))
-    high = np.where(any_behind[:, None], limit - 1.0, np.floor(corners.max(axis=1) - offset))
+    low = np.where(any_behind[:, None], 0.0, np.ceil(corners.min(axis=1) - offset - BOX_SLACK))
+    high = np.where(
+        any_behind[:, None], limit - 1.0, np.floor(corners.max(axis=1) - offset + BOX_SLACK)
+    )
     low = np.clip(low, 0.0, limit).astype(np.int64)
     high = np.clip(high, -1.0, limit - 1.0).astype(np.int64)
     extent = np.maximum(high - low + 1, 0)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -14,8 +15,10 @@ from ..._core.progress import Progress, silent
 from ...mesh import mesh_uv_scale
 from ...scene import Camera, Environment, Light, Scene
 from ...shading import specular
-from ...shading.compose import Ambient, Incident, Skin, Surface, shade
+from ...shading.compose import shade
 from ...shading.normals import blur_level
+from ...shading.pixel import Ambient, Incident, Surface
+from ...shading.skin import Skin
 from ..renderer import RenderSettings
 from .debug import debug_image
 from .geometry import Columns, Geometry, build_geometry
@@ -52,27 +55,41 @@ class CpuRenderer:
         self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
     ) -> ImageArray:
         """Return (H, W, 4) linear light and coverage."""
+        return self.draw_each(camera, size, samples, [settings])[0]
+
+    def draw_each(
+        self,
+        camera: Camera,
+        size: tuple[int, int],
+        samples: int,
+        ways: Sequence[RenderSettings],
+    ) -> list[ImageArray]:
+        """Return a picture for each way to shade; what they see is found once."""
         width, height = size
         clip = self._clip(camera, size)
         self._prepare()
-        total = np.zeros((height * width, 4))
+        totals = np.zeros((len(ways), height * width, 3))
+        coverage = np.zeros(height * width)
         workers = max(1, os.cpu_count() or 1)
         with ThreadPoolExecutor(workers) as pool:
-            offsets = _sample_offsets(samples, settings.seed)
+            offsets = _sample_offsets(samples, ways[0].seed)
             for index, offset in enumerate(offsets):
                 self._progress("shading", index / samples)
                 fragments = rasterize(clip, self.scene.mesh.faces, size, offset)
                 chunks = list(_chunks(fragments))
-                shaded = pool.map(
-                    lambda chunk: self._shade(chunk, camera, samples, settings), chunks
-                )
-                for chunk, colour in zip(chunks, shaded, strict=True):
-                    total[chunk.pixel, :3] += colour
-                    total[chunk.pixel, 3] += 1.0
+                shaded = pool.map(lambda chunk: self._shade(chunk, camera, samples, ways), chunks)
+                for chunk, colours in zip(chunks, shaded, strict=True):
+                    coverage[chunk.pixel] += 1.0
+                    for total, colour in zip(totals, colours, strict=True):
+                        total[chunk.pixel] += colour
         self._progress("shading", 1.0)
-        total /= samples
-        total[:, :3] += (1.0 - total[:, 3:]) * self._background(camera, size)
-        return total.reshape(height, width, 4).astype(np.float32)
+        coverage /= samples
+        behind = (1.0 - coverage[:, None]) * self._background(camera, size)
+        pictures = []
+        for total in totals:
+            picture = np.concatenate([total / samples + behind, coverage[:, None]], axis=1)
+            pictures.append(picture.reshape(height, width, 4).astype(np.float32))
+        return pictures
 
     def _prepare(self) -> None:
         # Made here, in one thread and in this order, so that no two chunks make them twice.
@@ -132,27 +149,51 @@ class CpuRenderer:
         return mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces)
 
     def _shade(
-        self, chunk: Fragments, camera: Camera, samples: int, settings: RenderSettings
-    ) -> FloatArray:
+        self,
+        chunk: Fragments,
+        camera: Camera,
+        samples: int,
+        ways: Sequence[RenderSettings],
+    ) -> list[FloatArray]:
         columns = self._geometry.interpolated(chunk.face, chunk.barycentric)
         surface = self._surface(chunk, columns, camera, samples)
-        lights = [
-            self._incident(light, shadow_map, columns, surface, settings)
+        shadowed = [
+            self._incident(light, shadow_map, columns, surface)
             for light, shadow_map in self._shadow_maps
         ]
-        if settings.debug_view is not None:
-            view = debug_image(settings.debug_view, surface, lights)
+        through = {
+            taps: [
+                self._with_thickness(incident, shadow_map, columns, surface, taps)
+                for incident, (_, shadow_map) in zip(shadowed, self._shadow_maps, strict=True)
+            ]
+            for taps in {_taps(way) for way in ways}
+        }
+        surroundings = self._surroundings(columns, surface)
+        return [self._shaded(surface, through[_taps(way)], surroundings, way) for way in ways]
+
+    def _shaded(
+        self,
+        surface: Surface,
+        lights: list[Incident],
+        surroundings: Ambient | None,
+        way: RenderSettings,
+    ) -> FloatArray:
+        if way.debug_view is not None:
+            view = debug_image(way.debug_view, surface, lights)
             if view is not None:
                 return view
-        surroundings = self._surroundings(columns, surface, settings)
-        terms = shade(self.skin, surface, lights, surroundings, settings.shading, settings.tier)
-        if settings.debug_view is not None:
-            return terms[settings.debug_view.replace("-", "_")]
+        if surroundings is not None and not way.deep_scatter_taps:
+            surroundings = replace(surroundings, through=None)
+        terms = shade(self.skin, surface, lights, surroundings, way.shading, way.tier)
+        if way.debug_view is not None:
+            return terms[way.debug_view.replace("-", "_")]
         total: FloatArray = np.sum(list(terms.values()), axis=0)
         return total
 
     def _surface(self, chunk: Fragments, columns: Columns, camera: Camera, samples: int) -> Surface:
         params = self.skin.params
+        # Between vertices that turn, interpolation shortens normals; that is no relief.
+        length = np.maximum(np.sqrt(dot(columns["normal"], columns["normal"])), 1e-3)
         normal = unit_vectors(columns["normal"])
         uv = columns["uv"]
         corner_uv = self._geometry.table[self._geometry.faces[chunk.face]][
@@ -194,7 +235,7 @@ class CpuRenderer:
             reflectance=reflectance,
             tint=tint,
             tensor_world=columns["tensor"],
-            diffused_normals=columns["diffused"].reshape(-1, 3, 3),
+            diffused_normals=columns["diffused"].reshape(-1, 3, 3) / length[:, None, None],
             diffused_curvature_per_mm=columns["diffused_curvature"],
         )
 
@@ -226,14 +267,8 @@ class CpuRenderer:
         return np.stack(fetched, axis=1)
 
     def _incident(
-        self,
-        light: Light,
-        shadow_map: ShadowMap,
-        columns: Columns,
-        surface: Surface,
-        settings: RenderSettings,
+        self, light: Light, shadow_map: ShadowMap, columns: Columns, surface: Surface
     ) -> Incident:
-        params = self.skin.params
         position, normal = columns["position"], surface.mesh_normal
         to_light, irradiance = light.at(position)
         cosine = dot(normal, to_light)
@@ -244,31 +279,43 @@ class CpuRenderer:
             normal[lit],
             to_light[lit],
             surface.curvature_per_mm[lit],
-            params.shadow_filter_width_mm,
+            self.skin.params.shadow_filter_width_mm,
         )
-        thickness = None
-        if settings.deep_scatter_taps and settings.shading != "lambert":
-            behind = np.flatnonzero(cosine < 0.5)
-            thickness = np.full(cosine.size, 1e3)
-            thickness[behind] = shadow_map.thickness(
-                position[behind],
-                normal[behind],
-                params.deep_scatter_offset_mm,
-                params.deep_scatter_filter_mm,
-                settings.deep_scatter_taps,
-            )
-        return Incident(to_light, irradiance / np.pi, shadow_filter, thickness)
+        return Incident(to_light, irradiance / np.pi, shadow_filter)
 
-    def _surroundings(
-        self, columns: Columns, surface: Surface, settings: RenderSettings
-    ) -> Ambient | None:
+    def _with_thickness(
+        self,
+        incident: Incident,
+        shadow_map: ShadowMap,
+        columns: Columns,
+        surface: Surface,
+        taps: int,
+    ) -> Incident:
+        if not taps:
+            return incident
+        params = self.skin.params
+        cosine = dot(surface.mesh_normal, incident.to_light)
+        behind = np.flatnonzero(cosine < 0.5)
+        thickness = np.full(cosine.size, 1e3)
+        thickness[behind] = shadow_map.thickness(
+            columns["position"][behind],
+            surface.mesh_normal[behind],
+            params.deep_scatter_offset_mm,
+            params.deep_scatter_filter_mm,
+            taps,
+        )
+        return replace(incident, thickness_mm=thickness)
+
+    def _surroundings(self, columns: Columns, surface: Surface) -> Ambient | None:
         environment = self.scene.environment
         if environment is None:
             return None
-        through = columns["through"] if settings.deep_scatter_taps else None
-        reflected = _two_lobes(environment, surface)
         return Ambient(
-            environment.radiance_sh, columns["visibility"], columns["bounced"], reflected, through
+            environment.radiance_sh,
+            columns["visibility"],
+            columns["bounced"],
+            _two_lobes(environment, surface),
+            columns["through"],
         )
 
     def _background(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
@@ -282,6 +329,11 @@ class CpuRenderer:
         far = screen.reshape(-1, 4) @ np.linalg.inv(camera.view_projection(width / height)).T
         rays = unit_vectors(far[:, :3] / far[:, 3:] - camera.position_mm)
         return environment.sample(rays)
+
+
+def _taps(way: RenderSettings) -> int:
+    """Taps that the way looks at: nothing comes through a surface without scattering."""
+    return 0 if way.shading == "lambert" else way.deep_scatter_taps
 
 
 def _two_lobes(environment: Environment, surface: Surface) -> FloatArray:

@@ -82,7 +82,8 @@ class ShadowMap:
             return np.zeros(0)
         x, y, depth, texel_mm = self._locate(position_mm)
         depth = depth - BIAS_MM
-        radius = 0.5 * width_mm / texel_mm
+        # Beside a lamp a texel is as small as nothing; no filter need be wider than the map.
+        radius = np.minimum(0.5 * width_mm / texel_mm, MAP_SIZE)
         margin = np.hypot(*slope) * 0.5 * width_mm
         nearest, farthest = self._extremes(int(np.ceil(radius.max())) + 1)
         at = (
@@ -104,7 +105,12 @@ class ShadowMap:
         return lit
 
     def _extremes(self, reach: int) -> tuple[FloatArray, FloatArray]:
-        """The least and greatest depth within a reach of every texel: most pixels need no taps."""
+        """The least and greatest depth within a reach of every texel: most pixels need no taps.
+
+        A lamp's texels differ from pixel to pixel, and so does the reach: in powers of two few
+        filters serve them all.
+        """
+        reach = min(1 << (reach - 1).bit_length(), MAP_SIZE)
         if reach not in self.cache:
             size = 2 * reach + 1
             self.cache[reach] = (

@@ -20,8 +20,8 @@ from ...mesh.topology import corner_areas
 from ...scene import Environment, Light
 from ...scene.camera import look_at, parallel
 from ...shading.ambient import ambient_irradiance
-from ...shading.compose import Skin
 from ...shading.deep_scatter import transmittance
+from ...shading.skin import Skin
 from .raster import depth_maps
 from .shadow_map import ShadowMap
 

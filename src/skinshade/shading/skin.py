@@ -1,0 +1,102 @@
+"""What every pixel of a material shares: its profile's tables and weights."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .._core.arrays import FloatArray
+from ..lut import Lut, build_curvature_lut, build_shadow_lut
+from ..lut.classic import classic_curvature_lut, classic_shadow_lut
+from ..lut.spectral import DiffusionGeometry
+from ..params import SkinParams
+from ..profile import Profile
+from . import deep_scatter, normals, shadow
+from .normals import NormalBlend
+
+__all__ = ["Skin"]
+
+TABLE_RADIUS_MM = (0.5, 4000.0)
+"""Radii of curvature that the tables hold: from a lash line to what is flat for any profile."""
+TABLE_SIZE = (512, 128)
+
+
+@dataclass(frozen=True)
+class Skin:
+    """What is the same for every pixel of a material: tables and fitted weights, made when asked for.
+
+    Attributes
+    ----------
+    profile
+        Already scaled by ``params.scatter_scale``.
+    params
+        The numbers of the material.
+    """
+
+    profile: Profile
+    params: SkinParams
+
+    @classmethod
+    def of(cls, profile: Profile, params: SkinParams) -> Skin:
+        """Return the skin of a material's profile and parameters."""
+        return cls(profile.scaled(params.scatter_scale), params)
+
+    def transfer(self, k_per_mm: FloatArray) -> FloatArray:
+        """Return the profile's T(k) (..., 3)."""
+        return self.profile.kernel.transfer(k_per_mm)
+
+    @cached_property
+    def sphere(self) -> Lut:
+        """Curvature table of the sphere, without energy gain."""
+        return self._curvature_table("sphere")
+
+    @cached_property
+    def ring(self) -> Lut:
+        """Curvature table of the ring, without energy gain."""
+        return self._curvature_table("ring")
+
+    @cached_property
+    def shadow(self) -> Lut:
+        """Shadow table for the material's filter, down to grazing light."""
+        width = self.params.shadow_filter_width_mm
+        return build_shadow_lut(
+            self.profile,
+            size=(512, 64),
+            width_mm=(width, width / shadow.LEAST_COSINE),
+            sharpening=self.params.shadow_sharpening,
+        )
+
+    @cached_property
+    def classic_curvature(self) -> Lut:
+        """Curvature table of 2014."""
+        return classic_curvature_lut(self.profile, size=(512, 64))
+
+    @cached_property
+    def classic_shadow(self) -> Lut:
+        """Shadow table of 2014."""
+        return classic_shadow_lut(
+            self.profile, size=(512, 64), sharpening=self.params.shadow_sharpening
+        )
+
+    @cached_property
+    def blend(self) -> NormalBlend:
+        """Weights of the normal fetches."""
+        return normals.normal_blend(self.profile)
+
+    @property
+    def sigma_per_mm(self) -> FloatArray:
+        """(3,) decay of light that comes through the body."""
+        default = deep_scatter.default_sigma_per_mm(self.profile.rms_radius_mm)
+        given = np.asarray(self.params.deep_scatter_sigma_per_mm)
+        return np.where(given > 0.0, given, default)
+
+    def _curvature_table(self, kernel: DiffusionGeometry) -> Lut:
+        return build_curvature_lut(
+            self.profile,
+            size=TABLE_SIZE,
+            radius_mm=TABLE_RADIUS_MM,
+            kernel=kernel,
+            energy_gain=False,
+        )

@@ -1,0 +1,223 @@
+"""The rules of the house, each read from the files themselves."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from collections import Counter
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from skinshade._core import errors
+from tolerances import Tolerance
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("src", "tests", "benchmarks", "tools", "examples")
+TEXT = {".py", ".md", ".toml", ".bib", ".json", ".slang", ".yml", ".txt", ".cfg", ""}
+MOST_LINES = 400
+MACHINE_PATH = re.compile(r"(?<![\w.~/-])/(?:work|home|tmp|root|Users|mnt|opt)(?:/|\b)|\b[A-Z]:\\")
+CHECKS = re.compile(r"^(?:pytest\.(?:raises|warns|fail)|np\.testing\.\w+|assert_\w+)$")
+FOREIGN_ERRORS = {
+    "src/skinshade/__init__.py": {"AttributeError"},  # what a module's __getattr__ has to raise
+    "src/skinshade/_core/arrays.py": {"TypeError"},  # caught a line below
+    "src/skinshade/cli/app.py": {"typer.Exit"},
+}
+
+
+@cache
+def files(*folders, suffix=".py"):
+    paths = [path for folder in folders for path in sorted((ROOT / folder).rglob(f"*{suffix}"))]
+    return {str(p.relative_to(ROOT)): p.read_text(encoding="utf-8") for p in paths if p.is_file()}
+
+
+@cache
+def trees(*folders):
+    return {name: ast.parse(text) for name, text in files(*folders).items()}
+
+
+def text_files():
+    everything = [*(ROOT / name for name in ("docs", ".ci", *FOLDERS)), ROOT]
+    for folder in everything:
+        for path in sorted(folder.rglob("*") if folder != ROOT else folder.iterdir()):
+            if path.is_file() and path.suffix in TEXT and "__pycache__" not in path.parts:
+                yield path
+
+
+def functions(tree):
+    return {n.name: n for n in ast.walk(tree) if isinstance(n, ast.FunctionDef)}
+
+
+# -- files -----------------------------------------------------------------------------------------
+
+
+def test_no_file_is_longer_than_what_one_idea_takes():
+    long = {name: len(text.splitlines()) for name, text in files(*FOLDERS).items()}
+    assert {name: count for name, count in long.items() if count > MOST_LINES} == {}
+
+
+def test_no_file_knows_the_machine_it_was_written_on():
+    at = [
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
+        for path in text_files()
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if MACHINE_PATH.search(line) and "MACHINE_PATH" not in line
+    ]
+    assert at == []
+
+
+@pytest.mark.parametrize("folder", ["home/x", "tmp/x", "work"])
+def test_the_search_for_machine_paths_sees_them_and_nothing_else(folder):
+    assert MACHINE_PATH.search(f'open("/{folder}")')
+    assert not MACHINE_PATH.search(f"https://a.org/{folder}, ../{folder}, ~/{folder}, a/{folder}")
+
+
+# -- the package -----------------------------------------------------------------------------------
+
+
+def lint(folder):
+    script = "from importlinter.cli import lint_imports_command; lint_imports_command()"
+    command = [sys.executable, "-c", script, "--no-cache", "--config", str(ROOT / "pyproject.toml")]
+    environment = os.environ | {"PYTHONPATH": str(folder)}
+    return subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
+
+
+def test_imports_point_downwards():
+    done = lint(ROOT / "src")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"Contracts: [1-9]\d* kept, 0 broken", done.stdout)
+
+
+def test_every_folder_of_the_package_has_its_layer():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    (contract,) = settings["tool"]["importlinter"]["contracts"]
+    layers = [name.strip() for layer in contract["layers"] for name in layer.split(":")]
+    folders = {path.parent.name for path in (ROOT / "src" / "skinshade").glob("*/__init__.py")}
+    assert sorted(layers) == sorted(f"skinshade.{name}" for name in folders)
+
+
+def test_every_public_function_class_and_module_has_a_docstring():
+    silent = []
+    for name, tree in trees("src").items():
+        kinds = [n for n in tree.body if isinstance(n, ast.ClassDef)]
+        bodies = [node for body in (tree, *kinds) for node in body.body]
+        nodes = [n for n in bodies if isinstance(n, (ast.FunctionDef, ast.ClassDef))]
+        public = [n for n in nodes if not n.name.startswith("_")]
+        silent += [f"{name}: {node.name}" for node in public if not ast.get_docstring(node)]
+        if not ast.get_docstring(tree):
+            silent.append(name)
+    assert silent == []
+
+
+def test_every_error_that_is_raised_is_of_the_tree():
+    foreign = {}
+    for name, tree in trees("src").items():
+        raised = [n.exc for n in ast.walk(tree) if isinstance(n, ast.Raise) and n.exc is not None]
+        kinds = {ast.unparse(e.func if isinstance(e, ast.Call) else e) for e in raised}
+        kinds -= {*errors.__all__, "error", "type(error)"}
+        if kinds - FOREIGN_ERRORS.get(name, set()):
+            foreign[name] = kinds
+    assert foreign == {}
+
+
+# -- tests -----------------------------------------------------------------------------------------
+
+
+def checking(node, helpers):
+    """Whether a function asserts, by itself or through a helper that does."""
+    for child in ast.walk(node):
+        if isinstance(child, ast.Assert):
+            return True
+        if isinstance(child, ast.Call):
+            called = ast.unparse(child.func)
+            if CHECKS.match(called) or called.split(".")[-1] in helpers:
+                return True
+    return False
+
+
+def test_every_test_asserts_something():
+    idle = []
+    shared = {}
+    for name, tree in trees("tests").items():
+        if not Path(name).name.startswith("test_"):
+            shared |= functions(tree)
+    for name, tree in trees("tests").items():
+        local = shared | functions(tree)
+        helpers = {n for n, node in local.items() if n[:5] != "test_" and checking(node, ())}
+        tests = [node for n, node in functions(tree).items() if n.startswith("test_")]
+        idle += [f"{name}: {node.name}" for node in tests if not checking(node, helpers)]
+    assert idle == []
+
+
+@pytest.mark.parametrize(
+    ("body", "checks"),
+    [
+        ("assert x", True),
+        ("with pytest.raises(E): f()", True),
+        ("np.testing.assert_allclose(a, b)", True),
+        ("same(a)", True),
+        ("f(a)\n    print(a == b)", False),
+    ],
+)
+def test_the_search_for_assertions_sees_every_form(body, checks):
+    tree = ast.parse(f"def test_it():\n    {body}")
+    assert checking(tree.body[0], {"same"}) is checks
+
+
+def test_no_test_has_the_name_of_another_in_its_file_and_no_file_that_of_another():
+    for name, tree in trees("tests").items():
+        bodies = [tree, *(n for n in ast.walk(tree) if isinstance(n, ast.ClassDef))]
+        for body in bodies:
+            names = [n.name for n in body.body if isinstance(n, ast.FunctionDef)]
+            assert [n for n, count in Counter(names).items() if count > 1] == [], name
+    stems = Counter(Path(name).stem for name in files("tests"))
+    assert [stem for stem, count in stems.items() if count > 1] == []
+
+
+# -- tolerances ------------------------------------------------------------------------------------
+
+
+def tables():
+    for name in sorted(Path(n).stem for n in files("tests") if n.endswith("tolerances.py")):
+        module = importlib.import_module(name)
+        for key, value in vars(module).items():
+            here = re.search(rf"^{key}\b.* = ", files("tests")[f"tests/{name}.py"], re.MULTILINE)
+            if here and (found := list(leaves(value))):
+                yield key, found
+
+
+def leaves(value):
+    if isinstance(value, Tolerance):
+        yield value
+    elif isinstance(value, (dict, tuple, list)):
+        for part in value.values() if isinstance(value, dict) else value:
+            yield from leaves(part)
+
+
+def test_every_tolerance_has_a_value_and_a_reason():
+    everything = [(key, tolerance) for key, found in tables() for tolerance in found]
+    assert len(everything) > 50
+    for key, tolerance in everything:
+        assert 0.0 < tolerance.value < float("inf"), key
+        assert len(tolerance.reason.split()) >= 2, key
+    names = Counter(key for key, _ in tables())
+    assert [key for key, count in names.items() if count > 1] == []
+
+
+def test_every_tolerance_is_used_by_a_test():
+    tests = {n: t for n, t in trees("tests").items() if not n.endswith("tolerances.py")}
+    used = {
+        node.attr if isinstance(node, ast.Attribute) else node.id
+        for tree in tests.values()
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.Attribute, ast.Name))
+    }
+    assert [key for key, _ in tables() if key not in used] == []

@@ -1,0 +1,158 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import shading_tolerances as tol
+from skinshade._core.errors import ArgumentError
+from skinshade.scene import DirectionalLight, SpotLight
+from skinshade.scene.camera import direction_of
+
+SEED = st.integers(0, 2**20)
+SPOT = SpotLight((0.0, 0.0, 100.0), (0.0, 0.0, 0.0), (1.0, 2.0, 3.0), 30.0)
+SUN = DirectionalLight((1.0, 2.0, 2.0), (1.0, 2.0, 3.0))
+
+
+def points(seed, count=20, scale=100.0):
+    return np.random.default_rng(seed).normal(size=(count, 3)) * scale
+
+
+@given(SEED)
+def test_the_sun_is_the_same_everywhere(seed):
+    to_light, irradiance = SUN.at(points(seed))
+    assert np.allclose(to_light, [1 / 3, 2 / 3, 2 / 3], rtol=tol.ROUNDING.value)
+    assert (irradiance == [1.0, 2.0, 3.0]).all()
+    assert to_light.shape == irradiance.shape == (20, 3)
+
+
+def test_angles_and_intensity_make_a_white_light():
+    lamp = DirectionalLight.from_angles(30.0, 20.0, 1.0)
+    assert np.allclose(lamp.to_light, direction_of(30.0, 20.0), atol=tol.ROUNDING.value)
+    assert np.allclose(lamp.irradiance, np.pi), "a white Lambert surface has radiance 1"
+    dim = DirectionalLight.from_angles(30.0, 20.0, 0.25)
+    assert np.allclose(4.0 * dim.irradiance, lamp.irradiance)
+
+
+def test_one_number_is_white():
+    assert DirectionalLight((0, 0, 1), 2.0).irradiance.tolist() == [2.0, 2.0, 2.0]
+    assert replace(SPOT, irradiance=2.0).irradiance.tolist() == [2.0, 2.0, 2.0]
+
+
+def test_at_its_target_a_lamp_gives_what_it_says():
+    to_light, irradiance = SPOT.at(np.zeros((1, 3)))
+    assert np.allclose(to_light, [[0.0, 0.0, 1.0]])
+    assert np.allclose(irradiance, [[1.0, 2.0, 3.0]])
+
+
+@given(st.floats(1.0, 1e4), st.floats(0.0, 20.0), st.floats(0.0, 360.0))
+def test_along_a_ray_light_falls_with_the_square_of_distance(distance, off_axis, around):
+    angle, turn = np.radians([off_axis, around])
+    ray = np.array([np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), -np.cos(angle)])
+    at = SPOT.position_mm + distance * ray
+    to_light, irradiance = SPOT.at(at[None])
+    assert np.allclose(to_light, -ray, atol=tol.ROUNDING_SUMS.value)
+    truth = np.array([1.0, 2.0, 3.0]) * (100.0 / distance) ** 2
+    assert np.allclose(irradiance, truth, rtol=tol.ROUNDING_SUMS.value)
+
+
+def cone(degrees):
+    """Irradiance (N,) at angles off the axis, 50 mm from the lamp, over that within the cone."""
+    angle = np.radians(degrees)
+    ray = np.stack([np.sin(angle), 0.0 * angle, -np.cos(angle)], axis=-1)
+    return SPOT.at(SPOT.position_mm + 50.0 * ray)[1][:, 0] / 4.0
+
+
+def test_the_cone_is_full_to_four_fifths_and_dark_from_its_edge():
+    inside, outside = np.linspace(0.0, 23.99, 50), np.linspace(30.01, 180.0, 50)
+    assert np.allclose(cone(inside), 1.0, rtol=tol.ROUNDING_SUMS.value)
+    assert not cone(outside).any()
+
+
+def test_the_cones_edge_is_smooth_and_falls():
+    degrees = np.linspace(20.0, 34.0, 2801)
+    found = cone(degrees)
+    slope = np.gradient(found, degrees)
+    assert slope.max() <= tol.ROUNDING_SUMS.value
+    assert np.abs(np.diff(slope)).max() <= tol.CONE_KINK.value, "no kink where it starts or ends"
+    assert slope.min() == pytest.approx(-1.5 / 6.0, rel=0.1), "a smoothstep over six degrees"
+
+
+@given(SEED)
+def test_turning_lamp_and_points_turns_the_light(seed):
+    turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
+    at = points(seed, scale=40.0)
+    to_light, irradiance = SPOT.at(at)
+    moved = SpotLight(turn @ SPOT.position_mm, turn @ SPOT.target_mm, SPOT.irradiance, 30.0)
+    to_moved, same = moved.at(at @ turn.T)
+    assert np.allclose(to_moved, to_light @ turn.T, atol=tol.ROUNDING_SUMS.value)
+    assert np.allclose(same, irradiance, atol=tol.CONE_ROUNDING.value)
+
+
+def test_a_lamp_is_finite_where_it_hangs():
+    to_light, irradiance = SPOT.at(SPOT.position_mm[None])
+    assert np.isfinite(to_light).all()
+    assert np.isfinite(irradiance).all()
+
+
+def on_map(light, at, centre, radius):
+    view, projection = light.view_and_projection(centre, radius)
+    seen = at @ view[:3, :3].T + view[:3, 3]
+    clip = seen @ projection[:, :3].T + projection[:, 3]
+    return clip[:, :3] / clip[:, 3:], seen
+
+
+@given(SEED, st.floats(1.0, 500.0))
+def test_the_suns_map_holds_the_whole_body_seen_from_the_sun(seed, radius):
+    rng = np.random.default_rng(seed)
+    sun = DirectionalLight(rng.normal(size=3), 1.0)
+    centre = rng.normal(size=3) * 100.0
+    on_sphere = rng.normal(size=(200, 3))
+    on_sphere /= np.linalg.norm(on_sphere, axis=1)[:, None]
+    ndc, seen = on_map(sun, centre + radius * on_sphere, centre, radius)
+    assert np.abs(ndc[:, :2]).max() < 1.0
+    assert ndc[:, 2].min() > 0.0
+    assert ndc[:, 2].max() < 1.0
+    # what is nearer to the sun is nearer on the map
+    assert np.allclose(np.diff(seen[:, 2]), np.diff(radius * on_sphere @ sun.to_light), atol=1e-7)
+
+
+@pytest.mark.parametrize("to_light", [(0, 1, 0), (0, -1, 0), (0, 0, 1), (1, 0, 0)])
+def test_the_sun_may_stand_anywhere(to_light):
+    ndc, _ = on_map(DirectionalLight(to_light, 1.0), np.array([[3.0, -4.0, 5.0]]), np.zeros(3), 9.0)
+    assert np.isfinite(ndc).all()
+    assert np.abs(ndc[:, :2]).max() < 1.0
+
+
+@given(SEED)
+def test_a_lamps_map_holds_what_its_cone_lights(seed):
+    at = points(seed, 400)
+    at *= 94.0 / np.maximum(np.linalg.norm(at, axis=1), 94.0)[:, None]
+    lit = SPOT.at(at)[1].any(axis=1)
+    ndc, seen = on_map(SPOT, at, np.zeros(3), 95.0)
+    assert np.abs(ndc[lit, :2]).max() <= 1.0
+    assert (seen[lit, 2] < 0.0).all()
+    assert ndc[lit, 2].max() < 1.0
+
+
+@pytest.mark.parametrize(
+    ("build", "said"),
+    [
+        (lambda: DirectionalLight((0, 0, 0), 1.0), "light to_light is 0, 0, 0"),
+        (lambda: DirectionalLight((0, 1), 1.0), r"light to_light: shape is \(2,\)"),
+        (lambda: DirectionalLight((0, np.nan, 1), 1.0), r"light to_light\[1\] is nan"),
+        (lambda: DirectionalLight((0, 0, 1), (1, -2, 1)), r"light irradiance\[1\] is -2.0"),
+        (lambda: DirectionalLight((0, 0, 1), (1, 2)), r"light irradiance: shape is \(2,\)"),
+        (lambda: DirectionalLight.from_angles(0.0, 0.0, -1.0), "light irradiance"),
+        (lambda: DirectionalLight.from_angles(np.nan, 0.0, 1.0), r"light to_light\[0\] is nan"),
+        (lambda: replace(SPOT, target_mm=(0, 0, 100)), "light: position and target are both"),
+        (lambda: replace(SPOT, position_mm=(0, np.inf, 0)), r"light position_mm\[1\] is inf"),
+        (lambda: replace(SPOT, cone_deg=0.5), r"light cone_deg is 0.5; .*\[1, 80\]"),
+        (lambda: replace(SPOT, cone_deg=81.0), "light cone_deg is 81"),
+        (lambda: replace(SPOT, irradiance=np.inf), "light irradiance is inf"),
+    ],
+)
+def test_a_light_that_cannot_be_is_refused_by_name(build, said):
+    with pytest.raises(ArgumentError, match=said):
+        build()
