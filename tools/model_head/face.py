@@ -80,8 +80,8 @@ def _nose_core(p: Array) -> Array:
 
 def _nostrils(p: Array) -> Array:
     s = _both(p)
-    mouth = ellipsoid(s, (7.4, -47.5, 101.0), (3.3, 6.0, 6.0), rotation(0, -20, -6))
-    depth = round_cone(s, (7.2, -42.5, 101.5), (5.5, -31.0, 95.5), 3.5, 2.2)
+    mouth = ellipsoid(s, (8.6, -47.5, 100.5), (4.6, 6.4, 6.4), rotation(0, -20, -6))
+    depth = round_cone(s, (9.0, -42.0, 100.5), (5.5, -31.0, 95.5), 4.6, 2.2)
     return smooth_union(mouth, depth, 3.0)
 
 
