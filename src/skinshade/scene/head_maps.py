@@ -10,6 +10,7 @@ mirrored: the frame is right-handed (glTF's tangent ``w`` is +1) everywhere.
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,8 +22,7 @@ from .head_noise import cellular_volume, sample_cells, sample_smooth, smooth_vol
 from .head_texels import (
     TexelFrame,
     Texels,
-    bands,
-    double,
+    each_band,
     fill,
     rasterise,
     spread,
@@ -50,7 +50,7 @@ _BLUE = np.array([-0.17, -0.14, -0.03], dtype=np.float32)
 
 @dataclass(frozen=True)
 class HeadMaps:
-    """Textures of the built-in head, ``(H, W, ...)``, the top row first.
+    """Textures of the built-in head, ``(H, W, ...)``, the top row first; those without detail at half size.
 
     Attributes
     ----------
@@ -60,10 +60,10 @@ class HeadMaps:
         ``(H, W, 3)`` unit normals in the tangent frame of this module, -1..1, slopes true to the
         skin's relief in millimetres.
     specular
-        ``(H, W, 2)`` reflectance at normal incidence over that of plain skin (0.028), and gloss
+        ``(H/2, W/2, 2)`` reflectance at normal incidence over that of plain skin (0.028), and gloss
         0..1, whose Blinn-Phong power is ``2**(13 * gloss)``.
     deep_scatter
-        ``(H, W, 3)`` tint of the light that comes through, linear Rec.709, 0..1.
+        ``(H/2, W/2, 3)`` tint of the light that comes through, linear Rec.709, 0..1.
     """
 
     albedo: Float32
@@ -347,8 +347,11 @@ def head_maps(
     rings = (_EDGE_TEXELS + 3) // 2 + 1
     skin, wide = _skin(inner, rings, points, directions, weights, triangles, frame)
 
-    colour, deep = _colours(skin, rng, noise)
-    depths, broad = _strengths(skin, noise)
+    with ThreadPoolExecutor(1) as beside:  # what needs no random numbers
+        gloss = beside.submit(_gloss, skin, noise)
+        strengths = beside.submit(_strengths, skin, noise)
+        colour, deep = _colours(skin, rng, noise)
+    depths, broad = strengths.result()
     shape = np.stack([frame.right_mm, frame.shear_mm, frame.up_mm], axis=1)[wide.face] * 0.5
     ground = np.concatenate([skin.p, depths, broad[:, None], skin.lips[:, None]], axis=1)
     covered = np.zeros((half, half), dtype=bool)
@@ -356,9 +359,12 @@ def head_maps(
     covered = covered.repeat(2, axis=0).repeat(2, axis=1)
     cells = _cells(rng)
     height = np.zeros((size, size), dtype=np.float32)
-    for rows, band in bands(fill(ground, wide)):
+
+    def carve(rows: slice, band: Float32) -> None:
         here = covered[rows]
         height[rows][here] = _relief_mm(band[here], cells, noise)
+
+    each_band(fill(ground, wide), carve)
 
     hairs = np.zeros((size, size), dtype=np.float32)
     owner = np.full((half, half), -1, dtype=np.int32)
@@ -370,16 +376,24 @@ def head_maps(
 
     normal = np.zeros((size, size, 3), dtype=np.float32)
     normal[:, :, 2] = 1.0
-    for rows, band in bands(fill(shape, wide)):
+
+    def tilt(rows: slice, band: Float32) -> None:
         here = covered[rows]
         index = np.flatnonzero(here) + rows.start * size
         normal[rows][here] = _normals(height, index, band[here])
-    albedo = double(fill(colour, wide))
-    hairy = hairs > 0.0
-    albedo[hairy] += hairs[hairy][:, None] * (_HAIR - albedo[hairy])
+
+    each_band(fill(shape, wide), tilt)
+    albedo = np.empty((size, size, 3), dtype=np.float32)
+
+    def dye(rows: slice, band: Float32) -> None:
+        albedo[rows] = band
+        hairy = hairs[rows] > 0.0
+        albedo[rows][hairy] += hairs[rows][hairy][:, None] * (_HAIR - band[hairy])
+
+    each_band(fill(colour, wide), dye)
     return HeadMaps(
         albedo=albedo,
         normal=normal,
-        specular=double(fill(_gloss(skin, noise), wide)),
-        deep_scatter=double(fill(deep, wide)),
+        specular=fill(gloss.result(), wide),
+        deep_scatter=fill(deep, wide),
     )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -194,10 +196,18 @@ def double(picture: Float32) -> Float32:
     return out
 
 
-def bands(picture: Float32, rows: int = 32) -> Iterator[tuple[slice, Float32]]:
-    """Give :func:`double` of a picture piece by piece, with the rows each piece fills."""
+def each_band(picture: Float32, work: Callable[[slice, Float32], None], rows: int = 32) -> None:
+    """Hand :func:`double` of a picture to `work` piece by piece, with the rows each piece fills.
+
+    On every core: pieces that fill rows of their own give the same bytes in any order.
+    """
     height = picture.shape[0]
-    for top in range(0, height, rows):
+
+    def one(top: int) -> None:
         stop = min(top + rows, height)
         piece = double(picture[top : stop + 1])
-        yield slice(2 * top, 2 * stop), piece[: 2 * (stop - top)]
+        work(slice(2 * top, 2 * stop), piece[: 2 * (stop - top)])
+
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        for _ in pool.map(one, range(0, height, rows)):
+            pass

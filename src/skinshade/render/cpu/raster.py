@@ -143,7 +143,9 @@ def _edge_functions(
     a, b, c = np.moveaxis(_screen(clip, size)[faces], 1, 0)
     rows = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)], axis=1)
     determinant = dot(a, rows[:, 0])
-    sound = np.abs(determinant) > 1e-12 * np.maximum(np.abs(a).max(axis=1) ** 2, 1e-300)
+    x, y, w = np.abs(a).T
+    greatest = np.maximum(np.maximum(x, y), w)
+    sound = np.abs(determinant) > 1e-12 * np.maximum(np.square(greatest), 1e-300)
     scale = np.where(sound, 1.0 / np.where(sound, determinant, 1.0), 0.0)
     return rows * scale[:, None, None], determinant
 
@@ -151,7 +153,8 @@ def _edge_functions(
 def _depth_planes(functions: FloatArray, corner_depths: FloatArray) -> FloatArray:
     """Coefficients (F, 6) of depth/w and of 1/w, both linear over the screen."""
     over_w = np.einsum("fi,fik->fk", corner_depths, functions)
-    return np.concatenate([over_w, functions.sum(axis=1)], axis=1)
+    inverse_w = functions[:, 0] + functions[:, 1] + functions[:, 2]
+    return np.concatenate([over_w, inverse_w], axis=1)
 
 
 def _covered(
@@ -204,20 +207,19 @@ def _candidates(
     screen = _screen(clip, size)
     behind: NDArray[np.bool_] = np.asarray(screen[:, 2] <= 1e-9)
     xy = screen[:, :2] / np.where(behind, 1.0, screen[:, 2])[:, None]
-    corners = xy[faces]
-    each_behind = behind[faces]
-    any_behind = np.asarray(each_behind.any(axis=1))
-    all_behind = np.asarray(each_behind.all(axis=1))
+    a, b, c = (xy[corner] for corner in faces.T)
+    hidden = [behind[corner] for corner in faces.T]
+    any_behind = hidden[0] | hidden[1] | hidden[2]
+    all_behind = hidden[0] & hidden[1] & hidden[2]
+    least, greatest = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
     limit = np.array([width, height], dtype=np.float64)
-    low = np.where(any_behind[:, None], 0.0, np.ceil(corners.min(axis=1) - offset - BOX_SLACK))
-    high = np.where(
-        any_behind[:, None], limit - 1.0, np.floor(corners.max(axis=1) - offset + BOX_SLACK)
-    )
+    low = np.where(any_behind[:, None], 0.0, np.ceil(least - offset - BOX_SLACK))
+    high = np.where(any_behind[:, None], limit - 1.0, np.floor(greatest - offset + BOX_SLACK))
     low = np.clip(low, 0.0, limit).astype(np.int64)
     high = np.clip(high, -1.0, limit - 1.0).astype(np.int64)
     extent = np.maximum(high - low + 1, 0)
     extent[all_behind] = 0
-    count = extent.prod(axis=1)
+    count = extent[:, 0] * extent[:, 1]
     seen = np.flatnonzero(count)
     ends = np.cumsum(count[seen])
     start = 0

@@ -29,7 +29,7 @@ from .texture import Texture, build_texture
 
 __all__ = ["CpuRenderer"]
 
-CHUNK = 1 << 15
+CHUNK = 1 << 14
 """Pixels shaded at once: the arrays of a chunk stay in the caches of one core."""
 DARK_BEYOND = -0.6
 """N·L below which no table holds light of its own, so that no shadow need be filtered."""
@@ -133,14 +133,13 @@ class CpuRenderer:
             "specular": material.specular,
             "deep_scatter": material.deep_scatter,
         }
-        if material.normal is not None:
-            steep = material.normal * (
-                np.array([self.skin.params.normal_strength] * 2 + [1.0], dtype=np.float32)
-            )
+        strength = self.skin.params.normal_strength
+        if material.normal is not None and strength != 1.0:
+            steep = material.normal * np.array([strength, strength, 1.0], dtype=np.float32)
             maps["normal"] = steep / np.linalg.norm(steep, axis=2, keepdims=True)
-        return {
-            name: build_texture(picture) for name, picture in maps.items() if picture is not None
-        }
+        there = {name: picture for name, picture in maps.items() if picture is not None}
+        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            return dict(zip(there, pool.map(build_texture, there.values()), strict=True))
 
     @cached_property
     def _uv_scale_mm(self) -> float:
@@ -196,9 +195,8 @@ class CpuRenderer:
         length = np.maximum(np.sqrt(dot(columns["normal"], columns["normal"])), 1e-3)
         normal = unit_vectors(columns["normal"])
         uv = columns["uv"]
-        corner_uv = self._geometry.table[self._geometry.faces[chunk.face]][
-            :, :, self._geometry.slices["uv"]
-        ]
+        geometry = self._geometry
+        corner_uv = geometry.table[:, geometry.slices["uv"]][geometry.faces[chunk.face]]
         # Samples share a pixel: each stands for a smaller footprint.
         spread = 1.0 / np.sqrt(samples)
         along_x = spread * np.einsum("ni,nik->nk", chunk.along_x, corner_uv)
