@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 OUT := out
 
-.PHONY: demo test check bench clean
+.PHONY: demo test check bench shaders clean
 
 demo: $(VENV)/.ready
 	@mkdir -p $(OUT)
@@ -12,10 +12,10 @@ demo: $(VENV)/.ready
 		--light=-38,26,0.75 --light=152,12,1.6 -o $(OUT)/demo.png
 	@echo "Open $(OUT)/demo.png: lambert | classic | transfer | transfer + deep scatter"
 
-test: $(VENV)/.ready
+test: $(VENV)/.tools
 	$(BIN)/python -m pytest -n auto
 
-check: $(VENV)/.ready
+check: $(VENV)/.tools
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
@@ -23,6 +23,16 @@ check: $(VENV)/.ready
 
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/performance.py
+
+# What the compiler makes of shaders/skin; a test proves that it is committed.
+shaders: $(VENV)/.tools
+	$(BIN)/python -m skinshade.codegen
+
+# The Slang compiler comes in the wheel of its PyTorch binding, which would pull PyTorch.
+$(VENV)/.tools: $(VENV)/.ready tools/software_driver.py
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps slangtorch==1.3.22
+	$(BIN)/python tools/software_driver.py
+	@touch $@
 
 # One environment for all targets; made again when the dependencies change.
 $(VENV)/.ready: pyproject.toml

@@ -14,7 +14,8 @@
     │   ├── MeshError                  a mesh that no repair can make usable
     │   └── OutputError                a place that cannot be written
     ├── BackendError                   no device to render with, or it was lost
-    └── DownloadError                  an asset that could not be fetched, or has a wrong hash
+    ├── DownloadError                  an asset that could not be fetched, or has a wrong hash
+    └── CompilerError                  a shader source that cannot be translated; at build time only
 
 A message names the file or the argument, the index and the value at fault, and what to do.
 """
@@ -22,6 +23,7 @@ A message names the file or the argument, the index and the value at fault, and 
 __all__ = [
     "ArgumentError",
     "BackendError",
+    "CompilerError",
     "DownloadError",
     "FileError",
     "ImageFileError",
@@ -91,6 +93,10 @@ class BackendError(SkinshadeError):
 
 class DownloadError(SkinshadeError):
     """An asset could not be fetched, or is not the one that was promised."""
+
+
+class CompilerError(SkinshadeError):
+    """The shader compiler is not there, or refused a source; at build time only."""
 
 
 class UnitWarning(UserWarning):

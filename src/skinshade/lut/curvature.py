@@ -60,7 +60,7 @@ def build_curvature_lut(
     curvature = rows.centres(height)
     light = diffuse_grid(profile, columns.centres(width), curvature, kernel)
     if energy_gain:
-        light *= gain_of(profile.albedo, profile.rms_radius_mm, curvature)[:, None, :]
+        light *= gain_of(profile.albedo, profile.rms_radius_mm, curvature[:, None])[:, None, :]
     provenance = {
         "profile": profile.name,
         "rms_radius_mm": profile.rms_radius_mm.tolist(),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .fields import checked_fields, number
+from .packing import pack
 
 __all__ = ["SkinParams"]
 
@@ -62,3 +63,7 @@ class SkinParams:
 
     def __post_init__(self) -> None:
         checked_fields(self)
+
+    def pack(self) -> bytes:
+        """Return the bytes of ``SkinBlock``, as ``shaders/generated/layout.json`` lays them out."""
+        return pack("SkinBlock", self)

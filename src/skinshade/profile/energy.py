@@ -22,7 +22,8 @@ def energy_gain(
     albedo, rms_radius_mm
         (3,) or (..., 3); rms radius in mm.
     curvature_per_mm
-        (...) mean curvature, 1/mm, positive where convex; where concave the gain is 1.
+        (..., 3) mean curvature, diffused by each channel's profile, or (..., 1), the same for all; 1/mm,
+        positive where convex. Where concave the gain is 1.
 
     Returns
     -------
@@ -31,6 +32,6 @@ def energy_gain(
         r ≈ 2ρ.
     """
     absorbed = 1.0 - albedo
-    u = GAIN_SLOPE * absorbed * rms_radius_mm * np.maximum(curvature_per_mm, 0.0)[..., None]
+    u = GAIN_SLOPE * absorbed * rms_radius_mm * np.maximum(curvature_per_mm, 0.0)
     result: FloatArray = 1.0 + u / np.sqrt(1.0 + np.square(u * albedo / absorbed))
     return result

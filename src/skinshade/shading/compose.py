@@ -210,15 +210,11 @@ def _ambient(
 
 
 def _gain(skin: Skin, surface: Surface) -> FloatArray:
-    rms = skin.profile.rms_radius_mm
-    if surface.diffused_curvature_per_mm is None:
-        return energy_gain(skin.profile.albedo, rms, surface.curvature_per_mm)
     # Light leaves within ρ of where it entered: what counts is curvature averaged as far, per channel.
-    albedo, curvature = skin.profile.albedo, surface.diffused_curvature_per_mm
-    one = [slice(channel, channel + 1) for channel in range(3)]
-    return np.concatenate(
-        [energy_gain(albedo[c], rms[c], curvature[:, c][:, 0]) for c in one], axis=1
-    )
+    curvature = surface.diffused_curvature_per_mm
+    if curvature is None:
+        curvature = surface.curvature_per_mm[:, None]
+    return energy_gain(skin.profile.albedo, skin.profile.rms_radius_mm, curvature)
 
 
 def _specular(surface: Surface, light: Incident, lit: FloatArray) -> FloatArray:

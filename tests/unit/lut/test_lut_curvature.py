@@ -97,7 +97,7 @@ def test_the_gain_multiplies_each_row(deon, kernel):
     plain = build_curvature_lut(deon, energy_gain=False, **options)
     gained = build_curvature_lut(deon, energy_gain=True, **options)
     curvature = plain.rows.centres(32)
-    gain = energy_gain(deon.albedo, deon.rms_radius_mm, curvature)[:, None, :]
+    gain = energy_gain(deon.albedo, deon.rms_radius_mm, curvature[:, None])[:, None, :]
     assert gain.min() > 1.0
     assert np.allclose(gained.values, plain.values * gain, rtol=0, atol=tol.FLOAT32.value)
 

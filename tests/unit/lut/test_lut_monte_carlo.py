@@ -27,7 +27,7 @@ def averaged_over_bins(edges, light):
 def models(measured, edges, radius_mm):
     """Light of each model in units of E0, albedo left out."""
     curvature = np.array([1.0 / radius_mm])
-    gain = energy_gain(measured.albedo, measured.rms_radius_mm, curvature)[0]
+    gain = energy_gain(measured.albedo, measured.rms_radius_mm, curvature)
 
     def grid(kernel):
         return averaged_over_bins(edges, lambda x: diffuse_grid(measured, x, curvature, kernel)[0])
@@ -68,5 +68,5 @@ def test_every_model_without_gain_is_far_worse(measured, walk, radius_mm, model)
 def test_the_gain_is_what_the_sphere_returns_beyond_the_plane(measured, walk, radius_mm):
     index = int(np.flatnonzero(walk["radii_mm"] == radius_mm)[0])
     returned = walk[f"radiosity_{MODE}"][index].mean(axis=1) / 0.25
-    gain = energy_gain(measured.albedo, measured.rms_radius_mm, np.array(1.0 / radius_mm))
+    gain = energy_gain(measured.albedo, measured.rms_radius_mm, np.array([1.0 / radius_mm]))
     assert np.abs(returned / measured.albedo / gain - 1.0).max() <= tol.GAIN_TOTAL.value

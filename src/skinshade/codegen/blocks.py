@@ -1,0 +1,109 @@
+"""Constant blocks: one dataclass is the struct of every language, or the build stops."""
+
+from __future__ import annotations
+
+from dataclasses import Field, fields
+from typing import Any
+
+import numpy as np
+
+from .._core.errors import CompilerError
+from ..params import ScatterParams, SkinParams
+from ..params.fields import meaning
+from .compiler import Language, translate
+
+__all__ = ["BLOCKS", "block_layouts", "block_source", "echo_source"]
+
+BLOCKS: dict[str, type] = {"SkinBlock": SkinParams, "ScatterBlock": ScatterParams}
+KINDS = {1: "float", 2: "float2", 3: "float4", 4: "float4"}
+"""Three numbers take the room of four: a float3 stands elsewhere in every language."""
+LANGUAGES: tuple[Language, ...] = ("wgsl", "glsl", "hlsl", "metal")
+
+
+def block_source() -> str:
+    """Return the blocks as Slang structs, widest fields first, with unit and range of each."""
+    lines = ["// Generated from skinshade.params by `python -m skinshade.codegen`.", ""]
+    for name, of in BLOCKS.items():
+        lines += [f"struct {name}", "{"]
+        for field in _ordered(of):
+            m = meaning(field)
+            unit = "" if m.unit == "1" else f" {m.unit}"
+            lines.append(
+                f"    {_kind(field)} {field.name}; // {m.low:g}..{m.high:g}{unit}. {m.about}"
+            )
+        lines += ["};", ""]
+    return "\n".join(lines)
+
+
+def block_layouts() -> dict[str, Any]:
+    """Return size and fields (kind, offset in bytes) of every block, the same in every language.
+
+    Raises
+    ------
+    CompilerError
+        If two languages place a field differently.
+    """
+    source = block_source() + echo_source()
+    found = {each: _reflected(source, each) for each in LANGUAGES}
+    first = found[LANGUAGES[0]]
+    for language, layouts in found.items():
+        for block, offsets in layouts.items():
+            if offsets != first[block]:
+                raise CompilerError(
+                    f"{block}: {language} lays it out as {offsets}, not {first[block]}"
+                )
+    result = {}
+    for block, offsets in first.items():
+        kinds = {field.name: _kind(field) for field in fields(BLOCKS[block])}
+        ends = [offset + 4 * _width(kinds[name]) for name, offset in offsets.items()]
+        result[block] = {
+            "size": -(-max(ends) // 16) * 16,
+            "fields": {
+                name: {"kind": kinds[name], "offset": offset} for name, offset in offsets.items()
+            },
+        }
+    return result
+
+
+def echo_source() -> str:
+    """Return a kernel for each block that writes every field's floats, in the block's order."""
+    lines = [f"ConstantBuffer<{name}> {_instance(name)};" for name in BLOCKS]
+    lines.append("RWStructuredBuffer<float> echoed;")
+    for name, of in BLOCKS.items():
+        lines += ["", '[shader("compute")]', "[numthreads(1, 1, 1)]", f"void echo_{name}()", "{"]
+        at = 0
+        for field in _ordered(of):
+            for part in "xyzw"[: _width(_kind(field))]:
+                lines.append(f"    echoed[{at}] = {_instance(name)}.{field.name}.{part};")
+                at += 1
+        lines.append("}")
+    return "\n".join([*lines, ""])
+
+
+def _instance(block: str) -> str:
+    return block.replace("Block", "_block").lower()
+
+
+def _ordered(of: type) -> list[Field[Any]]:
+    return sorted(fields(of), key=lambda field: -_width(_kind(field)))
+
+
+def _kind(field: Field[Any]) -> str:
+    default: Any = field.default
+    return KINDS[np.atleast_1d(default).size]
+
+
+def _width(kind: str) -> int:
+    return int(kind.removeprefix("float") or 1)
+
+
+def _reflected(source: str, language: Language) -> dict[str, dict[str, int]]:
+    found = {}
+    for block in BLOCKS:
+        for parameter in translate(source, language, entry=f"echo_{block}").reflection[
+            "parameters"
+        ]:
+            of = parameter["type"].get("elementType", {})
+            if of.get("name") == block:
+                found[block] = {each["name"]: each["binding"]["offset"] for each in of["fields"]}
+    return found

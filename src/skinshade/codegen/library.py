@@ -1,0 +1,86 @@
+"""The library in every language: functions only, under the names of the source."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from .compiler import Language, translate
+
+__all__ = ["DIALECTS", "Dialect", "library"]
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """One form of the library.
+
+    Attributes
+    ----------
+    language
+        That the compiler writes.
+    suffix
+        Of the file.
+    combined_samplers
+        Whether a texture and its sampler are one thing.
+    prologue
+        Lines that its functions need before them.
+    """
+
+    language: Language
+    suffix: str
+    combined_samplers: bool = False
+    prologue: str = ""
+
+
+DIALECTS = {
+    "wgsl": Dialect("wgsl", "wgsl"),
+    "glsl-vulkan": Dialect("glsl", "vulkan.glsl"),
+    "glsl-gl": Dialect("glsl", "gl.glsl", combined_samplers=True),
+    "hlsl": Dialect("hlsl", "hlsl"),
+    "metal": Dialect(
+        "metal", "metal", prologue="#include <metal_stdlib>\nusing namespace metal;\n"
+    ),
+}
+ANCHOR = """#include "skin.slang"
+RWStructuredBuffer<float> anchor_output;
+[shader("compute")]
+[numthreads(1, 1, 1)]
+void anchor() { anchor_output[0] = 0.0; }
+"""
+"""Some languages are written only around an entry point; it is taken out again."""
+HEADER = "// The skinshade library, generated from shaders/skin by `python -m skinshade.codegen`.\n"
+
+
+def library(dialect: Dialect) -> str:
+    """Return the library's functions in a dialect, without entry point or binding."""
+    definitions = {"SKIN_API": "export public"}
+    if dialect.combined_samplers:
+        definitions["SKIN_COMBINED_SAMPLERS"] = "1"
+    text = translate(ANCHOR, dialect.language, definitions=definitions, entry="anchor").text
+    return HEADER + dialect.prologue + _renamed(_functions(text, dialect.language))
+
+
+def _functions(text: str, language: Language) -> str:
+    """Cut the anchor, its buffer and all lines about layout; what is left is functions."""
+    without = ANCHOR_BUFFER.sub("", ANCHOR_FUNCTION.sub("", text.replace("\r\n", "\n")))
+    lines = [line for line in without.split("\n") if not re.match(DROPPED[language], line)]
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).strip("\n") + "\n"
+
+
+ANCHOR_FUNCTION = re.compile(
+    r"(^(\[num|@|layout\(local)[^\n]*\n)*^[^\n]*\b(main|anchor)\s*\([^\n]*\n\{.*?^\}\n", re.M | re.S
+)
+ANCHOR_BUFFER = re.compile(
+    r"^layout\(std430[^}]*\} anchor_output_0;\n|^[^\n{}]*\banchor_output_0\b[^\n{}]*;\n", re.M
+)
+DROPPED: dict[Language, str] = {
+    "wgsl": r"^@",
+    "glsl": r"^#version|^layout\(",
+    "hlsl": r"^#|^// warning",
+    "metal": r"^#|^using",
+}
+
+
+def _renamed(text: str) -> str:
+    """Take the compiler's counters off functions, which the language lets no two share."""
+    return re.sub(r"\b(skin_[a-z0-9_]*?)_0\b(?=\s*\()", r"\1", text)

@@ -1,0 +1,100 @@
+"""What functions the library has, read from its commented source."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from .._core.errors import CompilerError
+from .compiler import LIBRARY
+
+__all__ = ["Parameter", "Signature", "signatures"]
+
+FUNCTION = re.compile(
+    r"^SKIN_API\s+(\w+)\s+(skin_\w+)\s*\((.*?)\)\s*\n\{", re.MULTILINE | re.DOTALL
+)
+INCLUDE = re.compile(r'^#include "(\w+\.slang)"', re.MULTILINE)
+TABLE = re.compile(r"SKIN_LUT\((\w+)\)$")
+FLOATS = {"float": 1, "float2": 2, "float3": 3, "float4": 4, "float3x3": 9, "float4x4": 16}
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter.
+
+    Attributes
+    ----------
+    kind
+        A type of `FLOATS`, or ``lut``: a texture, its sampler where the language parts them, and its axes.
+    name
+        As the specification calls it.
+    """
+
+    kind: str
+    name: str
+
+
+@dataclass(frozen=True)
+class Signature:
+    """One function of the library.
+
+    Attributes
+    ----------
+    file
+        Of the library, without suffix: also the specification's module.
+    name
+        With its prefix ``skin_``.
+    returns
+        A type of `FLOATS`.
+    parameters
+        In order.
+    """
+
+    file: str
+    name: str
+    returns: str
+    parameters: tuple[Parameter, ...]
+
+    @property
+    def twin(self) -> str:
+        """Name of the same function in the specification's module."""
+        return self.name.removeprefix("skin_").removeprefix(
+            f"{self.file}_" if self.file == "classic" else ""
+        )
+
+
+def signatures(folder: Path = LIBRARY) -> list[Signature]:
+    """Return every public function, in the order in which the library includes them.
+
+    Raises
+    ------
+    CompilerError
+        If a type is none that every language passes alike.
+    """
+    order = INCLUDE.findall((folder / "skin.slang").read_text(encoding="utf-8"))
+    found = []
+    for name in ["common.slang", *order]:
+        text = (folder / name).read_text(encoding="utf-8")
+        for returns, function, inside in FUNCTION.findall(text):
+            parameters = tuple(_parameter(each, function) for each in _split(inside))
+            if returns not in FLOATS:
+                raise CompilerError(f"{name}: {function} returns {returns}")
+            found.append(Signature(name.removesuffix(".slang"), function, returns, parameters))
+    return found
+
+
+def _split(inside: str) -> list[str]:
+    return [" ".join(part.split()) for part in inside.split(",") if part.strip()]
+
+
+def _parameter(text: str, function: str) -> Parameter:
+    table = TABLE.match(text)
+    if table:
+        return Parameter("lut", table.group(1))
+    kind, _, name = text.partition(" ")
+    if kind not in FLOATS or not name.isidentifier():
+        raise CompilerError(
+            f"{function}: parameter {text!r} is of no type that all languages share"
+        )
+    return Parameter(kind, name)

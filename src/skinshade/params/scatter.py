@@ -1,0 +1,59 @@
+"""What a shader knows of a diffusion profile: numbers that go with its tables."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .fields import checked_fields, number
+from .packing import pack
+
+__all__ = ["ScatterParams"]
+
+WIDEST_MM = 1e4
+AXES = "Axes of {}: low and 1/(high − low) of the columns, then of the rows."
+
+
+@dataclass(frozen=True)
+class ScatterParams:
+    """Numbers of one profile and of its tables; ranges are checked.
+
+    Each field's metadata holds its `skinshade.params.fields.Meaning`.
+    """
+
+    albedo: tuple[float, float, float] = number(
+        (0.436, 0.227, 0.131), "1", 1e-4, 0.9999, "Diffuse albedo of the profile."
+    )
+    rms_radius_mm: tuple[float, float, float] = number(
+        (2.42, 1.06, 0.66), "mm", 0.0, WIDEST_MM, "Root of the profile's mean square radius."
+    )
+    blend_red: tuple[float, float, float] = number(
+        (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Red's weights of the sharp, narrow and wide normal."
+    )
+    blend_green: tuple[float, float, float] = number(
+        (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Green's weights of the sharp, narrow and wide normal."
+    )
+    blend_blue: tuple[float, float, float] = number(
+        (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Blue's weights of the sharp, narrow and wide normal."
+    )
+    ring_axes: tuple[float, float, float, float] = number(
+        (-1.0, 0.5, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the ring's table, rows √(1/mm)")
+    )
+    sphere_axes: tuple[float, float, float, float] = number(
+        (-1.0, 0.5, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the sphere's table, rows √(1/mm)")
+    )
+    transfer_axes: tuple[float, float, float, float] = number(
+        (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("T(k), columns √(rad/mm)")
+    )
+    shadow_axes: tuple[float, float, float, float] = number(
+        (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the shadow table, rows 1/mm")
+    )
+    normal_sigmas_mm: tuple[float, float] = number(
+        (0.0, 0.0), "mm", 0.0, WIDEST_MM, "Blur of the narrow and the wide normal."
+    )
+
+    def __post_init__(self) -> None:
+        checked_fields(self)
+
+    def pack(self) -> bytes:
+        """Return the bytes of ``ScatterBlock``, as ``shaders/generated/layout.json`` lays them out."""
+        return pack("ScatterBlock", self)

@@ -1,0 +1,1 @@
+"""Shader sources: ``skin/`` is the library, ``generated/`` what `skinshade.codegen` makes of it."""

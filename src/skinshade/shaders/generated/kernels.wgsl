@@ -1,0 +1,876 @@
+@binding(0) @group(0) var<storage, read> inputs_0 : array<f32>;
+
+@binding(1) @group(0) var<storage, read_write> outputs_0 : array<f32>;
+
+@binding(2) @group(0) var lut_0 : texture_2d<f32>;
+
+@binding(3) @group(0) var lut_sampler_0 : sampler;
+
+@binding(4) @group(0) var transfer_0 : texture_2d<f32>;
+
+@binding(5) @group(0) var transfer_sampler_0 : sampler;
+
+fn rsqrt_0( x_0 : f32) -> f32
+{
+    return 1.0f / sqrt(x_0);
+}
+
+fn skin_blur_level_0( sigma_mm_0 : f32,  uv_scale_mm_0 : f32,  map_size_0 : f32,  hardware_level_0 : f32) -> f32
+{
+    return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_0 / uv_scale_mm_0, 1.0f)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_blur_level(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var _S1 : u32 = thread_0.x;
+    var at_0 : u32 = _S1 * u32(4);
+    outputs_0[_S1] = skin_blur_level_0(inputs_0[at_0], inputs_0[at_0 + u32(1)], inputs_0[at_0 + u32(2)], inputs_0[at_0 + u32(3)]);
+    return;
+}
+
+fn skin_weighted_0( rows_0 : mat3x3<f32>,  weights_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(weights_0.x) * rows_0[i32(0)] + vec3<f32>(weights_0.y) * rows_0[i32(1)] + vec3<f32>(weights_0.z) * rows_0[i32(2)];
+}
+
+fn skin_blend_normals_0( fetched_0 : mat3x3<f32>,  blend_0 : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_weighted_0(fetched_0, blend_0[i32(0)]), skin_weighted_0(fetched_0, blend_0[i32(1)]), skin_weighted_0(fetched_0, blend_0[i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_blend_normals(@builtin(global_invocation_id) thread_1 : vec3<u32>)
+{
+    var _S2 : u32 = thread_1.x;
+    var at_1 : u32 = _S2 * u32(18);
+    var result_0 : mat3x3<f32> = skin_blend_normals_0(mat3x3<f32>(inputs_0[at_1], inputs_0[at_1 + u32(1)], inputs_0[at_1 + u32(2)], inputs_0[at_1 + u32(3)], inputs_0[at_1 + u32(4)], inputs_0[at_1 + u32(5)], inputs_0[at_1 + u32(6)], inputs_0[at_1 + u32(7)], inputs_0[at_1 + u32(8)]), mat3x3<f32>(inputs_0[at_1 + u32(9)], inputs_0[at_1 + u32(10)], inputs_0[at_1 + u32(11)], inputs_0[at_1 + u32(12)], inputs_0[at_1 + u32(13)], inputs_0[at_1 + u32(14)], inputs_0[at_1 + u32(15)], inputs_0[at_1 + u32(16)], inputs_0[at_1 + u32(17)]));
+    var _S3 : u32 = _S2 * u32(9);
+    outputs_0[_S3] = result_0[i32(0)][i32(0)];
+    outputs_0[_S3 + u32(1)] = result_0[i32(0)][i32(1)];
+    outputs_0[_S3 + u32(2)] = result_0[i32(0)][i32(2)];
+    outputs_0[_S3 + u32(3)] = result_0[i32(1)][i32(0)];
+    outputs_0[_S3 + u32(4)] = result_0[i32(1)][i32(1)];
+    outputs_0[_S3 + u32(5)] = result_0[i32(1)][i32(2)];
+    outputs_0[_S3 + u32(6)] = result_0[i32(2)][i32(0)];
+    outputs_0[_S3 + u32(7)] = result_0[i32(2)][i32(1)];
+    outputs_0[_S3 + u32(8)] = result_0[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_safe_length_0( v_0 : vec3<f32>) -> f32
+{
+    return sqrt(max(dot(v_0, v_0), 1.00000004581370497e-18f));
+}
+
+fn skin_displaced_0( from_texture_0 : vec3<f32>,  from_mesh_0 : vec3<f32>,  mesh_normal_0 : vec3<f32>) -> vec3<f32>
+{
+    return from_texture_0 + vec3<f32>(skin_safe_length_0(from_texture_0)) * (from_mesh_0 - mesh_normal_0);
+}
+
+fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x3<f32>,  mesh_normal_1 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_displaced_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_1), skin_displaced_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_1), skin_displaced_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_1));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_add_mesh_diffusion(@builtin(global_invocation_id) thread_2 : vec3<u32>)
+{
+    var _S4 : u32 = thread_2.x;
+    var at_2 : u32 = _S4 * u32(21);
+    var result_1 : mat3x3<f32> = skin_add_mesh_diffusion_0(mat3x3<f32>(inputs_0[at_2], inputs_0[at_2 + u32(1)], inputs_0[at_2 + u32(2)], inputs_0[at_2 + u32(3)], inputs_0[at_2 + u32(4)], inputs_0[at_2 + u32(5)], inputs_0[at_2 + u32(6)], inputs_0[at_2 + u32(7)], inputs_0[at_2 + u32(8)]), mat3x3<f32>(inputs_0[at_2 + u32(9)], inputs_0[at_2 + u32(10)], inputs_0[at_2 + u32(11)], inputs_0[at_2 + u32(12)], inputs_0[at_2 + u32(13)], inputs_0[at_2 + u32(14)], inputs_0[at_2 + u32(15)], inputs_0[at_2 + u32(16)], inputs_0[at_2 + u32(17)]), vec3<f32>(inputs_0[at_2 + u32(18)], inputs_0[at_2 + u32(19)], inputs_0[at_2 + u32(20)]));
+    var _S5 : u32 = _S4 * u32(9);
+    outputs_0[_S5] = result_1[i32(0)][i32(0)];
+    outputs_0[_S5 + u32(1)] = result_1[i32(0)][i32(1)];
+    outputs_0[_S5 + u32(2)] = result_1[i32(0)][i32(2)];
+    outputs_0[_S5 + u32(3)] = result_1[i32(1)][i32(0)];
+    outputs_0[_S5 + u32(4)] = result_1[i32(1)][i32(1)];
+    outputs_0[_S5 + u32(5)] = result_1[i32(1)][i32(2)];
+    outputs_0[_S5 + u32(6)] = result_1[i32(2)][i32(0)];
+    outputs_0[_S5 + u32(7)] = result_1[i32(2)][i32(1)];
+    outputs_0[_S5 + u32(8)] = result_1[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_relief_bump_0( m_0 : f32,  s_0 : f32) -> f32
+{
+    var _S6 : f32 = max(s_0, 9.99999971718068537e-10f);
+    var _S7 : f32 = min(abs(m_0) / _S6, 8.0f);
+    return _S6 * (0.39894229173660278f * exp(-0.5f * _S7 * _S7)) / (1.0f + _S7 * (1.25119507312774658f + _S7 * (0.58454132080078125f + _S7 * 0.06752368807792664f)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_relief_bump(@builtin(global_invocation_id) thread_3 : vec3<u32>)
+{
+    var _S8 : u32 = thread_3.x;
+    var at_3 : u32 = _S8 * u32(2);
+    outputs_0[_S8] = skin_relief_bump_0(inputs_0[at_3], inputs_0[at_3 + u32(1)]);
+    return;
+}
+
+fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(skin_safe_length_0(normals_0[i32(0)]), skin_safe_length_0(normals_0[i32(1)]), skin_safe_length_0(normals_0[i32(2)]));
+}
+
+fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_0 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
+{
+    return clamp(vec3<f32>(dot(normals_1[i32(0)], light_0), dot(normals_1[i32(1)], light_0), dot(normals_1[i32(2)], light_0)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
+}
+
+fn skin_curvature_table_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_0 : f32) -> vec3<f32>
+{
+    var row_0 : f32 = sqrt(max(curvature_per_mm_0, 0.0f));
+    var _S9 : vec2<f32> = lut_axes_0.xz;
+    var _S10 : vec2<f32> = lut_axes_0.yw;
+    return vec3<f32>((textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S9) * _S10)), (0.0f))).xyz.x, (textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S9) * _S10)), (0.0f))).xyz.y, (textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S9) * _S10)), (0.0f))).xyz.z);
+}
+
+fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
+{
+    var _S11 : vec3<f32> = vec3<f32>(0.0f);
+    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S11));
+    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S11));
+    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_0.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_0.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_0.z * sine_0.z));
+}
+
+fn skin_direct_scalar_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_1 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_2 : vec3<f32> = skin_lengths_0(normals_2);
+    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_2, light_1, lengths_2);
+    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_2, lut_sampler_2, lut_axes_1, cos_theta_2, abs(curvature_per_mm_1)) + skin_lost_relief_0(lengths_2, cos_theta_2));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_scalar(@builtin(global_invocation_id) thread_4 : vec3<u32>)
+{
+    var _S12 : u32 = thread_4.x;
+    var at_4 : u32 = _S12 * u32(20);
+    var result_2 : vec3<f32> = skin_direct_scalar_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_4], inputs_0[at_4 + u32(1)], inputs_0[at_4 + u32(2)], inputs_0[at_4 + u32(3)]), mat3x3<f32>(inputs_0[at_4 + u32(4)], inputs_0[at_4 + u32(5)], inputs_0[at_4 + u32(6)], inputs_0[at_4 + u32(7)], inputs_0[at_4 + u32(8)], inputs_0[at_4 + u32(9)], inputs_0[at_4 + u32(10)], inputs_0[at_4 + u32(11)], inputs_0[at_4 + u32(12)]), vec3<f32>(inputs_0[at_4 + u32(13)], inputs_0[at_4 + u32(14)], inputs_0[at_4 + u32(15)]), inputs_0[at_4 + u32(16)], vec3<f32>(inputs_0[at_4 + u32(17)], inputs_0[at_4 + u32(18)], inputs_0[at_4 + u32(19)]));
+    var _S13 : u32 = _S12 * u32(3);
+    outputs_0[_S13] = result_2[i32(0)];
+    outputs_0[_S13 + u32(1)] = result_2[i32(1)];
+    outputs_0[_S13 + u32(2)] = result_2[i32(2)];
+    return;
+}
+
+fn skin_transfer_0( transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_0 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((transfer_1), (transfer_sampler_1), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_0.xz) * transfer_axes_0.yw)), (0.0f))).xyz;
+}
+
+fn skin_direct_tensor_0( lut_3 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_1 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_2 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_3 : vec3<f32> = skin_lengths_0(normals_3);
+    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_3, light_2, lengths_3);
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_3, lut_sampler_3, lut_axes_2, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_1, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_tensor(@builtin(global_invocation_id) thread_5 : vec3<u32>)
+{
+    var _S14 : u32 = thread_5.x;
+    var at_5 : u32 = _S14 * u32(25);
+    var result_3 : vec3<f32> = skin_direct_tensor_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_5], inputs_0[at_5 + u32(1)], inputs_0[at_5 + u32(2)], inputs_0[at_5 + u32(3)]), transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[at_5 + u32(4)], inputs_0[at_5 + u32(5)], inputs_0[at_5 + u32(6)], inputs_0[at_5 + u32(7)]), mat3x3<f32>(inputs_0[at_5 + u32(8)], inputs_0[at_5 + u32(9)], inputs_0[at_5 + u32(10)], inputs_0[at_5 + u32(11)], inputs_0[at_5 + u32(12)], inputs_0[at_5 + u32(13)], inputs_0[at_5 + u32(14)], inputs_0[at_5 + u32(15)], inputs_0[at_5 + u32(16)]), vec3<f32>(inputs_0[at_5 + u32(17)], inputs_0[at_5 + u32(18)], inputs_0[at_5 + u32(19)]), inputs_0[at_5 + u32(20)], inputs_0[at_5 + u32(21)], vec3<f32>(inputs_0[at_5 + u32(22)], inputs_0[at_5 + u32(23)], inputs_0[at_5 + u32(24)]));
+    var _S15 : u32 = _S14 * u32(3);
+    outputs_0[_S15] = result_3[i32(0)];
+    outputs_0[_S15 + u32(1)] = result_3[i32(1)];
+    outputs_0[_S15 + u32(2)] = result_3[i32(2)];
+    return;
+}
+
+fn skin_direct_diffused_normals_0( lut_4 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  transfer_3 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_2 : vec4<f32>,  normals_4 : mat3x3<f32>,  relief_length_0 : vec3<f32>,  light_3 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_4 : vec3<f32> = skin_lengths_0(normals_4);
+    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_4, light_3, lengths_4);
+    return gain_2 * (skin_curvature_table_0(lut_4, lut_sampler_4, lut_axes_3, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_3, transfer_sampler_3, transfer_axes_2, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_0, cos_theta_4));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_diffused_normals(@builtin(global_invocation_id) thread_6 : vec3<u32>)
+{
+    var _S16 : u32 = thread_6.x;
+    var at_6 : u32 = _S16 * u32(27);
+    var result_4 : vec3<f32> = skin_direct_diffused_normals_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_6], inputs_0[at_6 + u32(1)], inputs_0[at_6 + u32(2)], inputs_0[at_6 + u32(3)]), transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[at_6 + u32(4)], inputs_0[at_6 + u32(5)], inputs_0[at_6 + u32(6)], inputs_0[at_6 + u32(7)]), mat3x3<f32>(inputs_0[at_6 + u32(8)], inputs_0[at_6 + u32(9)], inputs_0[at_6 + u32(10)], inputs_0[at_6 + u32(11)], inputs_0[at_6 + u32(12)], inputs_0[at_6 + u32(13)], inputs_0[at_6 + u32(14)], inputs_0[at_6 + u32(15)], inputs_0[at_6 + u32(16)]), vec3<f32>(inputs_0[at_6 + u32(17)], inputs_0[at_6 + u32(18)], inputs_0[at_6 + u32(19)]), vec3<f32>(inputs_0[at_6 + u32(20)], inputs_0[at_6 + u32(21)], inputs_0[at_6 + u32(22)]), inputs_0[at_6 + u32(23)], vec3<f32>(inputs_0[at_6 + u32(24)], inputs_0[at_6 + u32(25)], inputs_0[at_6 + u32(26)]));
+    var _S17 : u32 = _S16 * u32(3);
+    outputs_0[_S17] = result_4[i32(0)];
+    outputs_0[_S17 + u32(1)] = result_4[i32(1)];
+    outputs_0[_S17 + u32(2)] = result_4[i32(2)];
+    return;
+}
+
+fn skin_unexplained_length_0( transfer_4 : texture_2d<f32>,  transfer_sampler_4 : sampler,  transfer_axes_3 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_1 : f32) -> vec3<f32>
+{
+    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_4, transfer_sampler_4, transfer_axes_3, total_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_unexplained_length(@builtin(global_invocation_id) thread_7 : vec3<u32>)
+{
+    var _S18 : u32 = thread_7.x;
+    var at_7 : u32 = _S18 * u32(23);
+    var result_5 : vec3<f32> = skin_unexplained_length_0(transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[at_7], inputs_0[at_7 + u32(1)], inputs_0[at_7 + u32(2)], inputs_0[at_7 + u32(3)]), mat3x3<f32>(inputs_0[at_7 + u32(4)], inputs_0[at_7 + u32(5)], inputs_0[at_7 + u32(6)], inputs_0[at_7 + u32(7)], inputs_0[at_7 + u32(8)], inputs_0[at_7 + u32(9)], inputs_0[at_7 + u32(10)], inputs_0[at_7 + u32(11)], inputs_0[at_7 + u32(12)]), mat3x3<f32>(inputs_0[at_7 + u32(13)], inputs_0[at_7 + u32(14)], inputs_0[at_7 + u32(15)], inputs_0[at_7 + u32(16)], inputs_0[at_7 + u32(17)], inputs_0[at_7 + u32(18)], inputs_0[at_7 + u32(19)], inputs_0[at_7 + u32(20)], inputs_0[at_7 + u32(21)]), inputs_0[at_7 + u32(22)]);
+    var _S19 : u32 = _S18 * u32(3);
+    outputs_0[_S19] = result_5[i32(0)];
+    outputs_0[_S19 + u32(1)] = result_5[i32(1)];
+    outputs_0[_S19 + u32(2)] = result_5[i32(2)];
+    return;
+}
+
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_0 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+{
+    var tangential_0 : vec3<f32> = light_4 - normal_0 * vec3<f32>(dot(light_4, normal_0));
+    var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
+    var total_0 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
+    return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_directional_curvature(@builtin(global_invocation_id) thread_8 : vec3<u32>)
+{
+    var _S20 : u32 = thread_8.x;
+    var at_8 : u32 = _S20 * u32(15);
+    var result_6 : vec2<f32> = skin_directional_curvature_0(mat3x3<f32>(inputs_0[at_8], inputs_0[at_8 + u32(1)], inputs_0[at_8 + u32(2)], inputs_0[at_8 + u32(3)], inputs_0[at_8 + u32(4)], inputs_0[at_8 + u32(5)], inputs_0[at_8 + u32(6)], inputs_0[at_8 + u32(7)], inputs_0[at_8 + u32(8)]), vec3<f32>(inputs_0[at_8 + u32(9)], inputs_0[at_8 + u32(10)], inputs_0[at_8 + u32(11)]), vec3<f32>(inputs_0[at_8 + u32(12)], inputs_0[at_8 + u32(13)], inputs_0[at_8 + u32(14)]));
+    var _S21 : u32 = _S20 * u32(2);
+    outputs_0[_S21] = result_6[i32(0)];
+    outputs_0[_S21 + u32(1)] = result_6[i32(1)];
+    return;
+}
+
+fn skin_energy_gain_0( albedo_0 : vec3<f32>,  rms_radius_mm_0 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
+{
+    var _S22 : vec3<f32> = vec3<f32>(1.0f);
+    var absorbed_0 : vec3<f32> = _S22 - albedo_0;
+    var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm_0 * max(curvature_per_mm_2, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = u_0 * albedo_0 / absorbed_0;
+    return _S22 + u_0 / sqrt(_S22 + bound_0 * bound_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_energy_gain(@builtin(global_invocation_id) thread_9 : vec3<u32>)
+{
+    var _S23 : u32 = thread_9.x;
+    var at_9 : u32 = _S23 * u32(9);
+    var result_7 : vec3<f32> = skin_energy_gain_0(vec3<f32>(inputs_0[at_9], inputs_0[at_9 + u32(1)], inputs_0[at_9 + u32(2)]), vec3<f32>(inputs_0[at_9 + u32(3)], inputs_0[at_9 + u32(4)], inputs_0[at_9 + u32(5)]), vec3<f32>(inputs_0[at_9 + u32(6)], inputs_0[at_9 + u32(7)], inputs_0[at_9 + u32(8)]));
+    var _S24 : u32 = _S23 * u32(3);
+    outputs_0[_S24] = result_7[i32(0)];
+    outputs_0[_S24 + u32(1)] = result_7[i32(1)];
+    outputs_0[_S24 + u32(2)] = result_7[i32(2)];
+    return;
+}
+
+fn skin_smoothstep_0( p_0 : f32) -> f32
+{
+    var q_0 : f32 = saturate(p_0);
+    return q_0 * q_0 * (3.0f - 2.0f * q_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_smoothstep(@builtin(global_invocation_id) thread_10 : vec3<u32>)
+{
+    var _S25 : u32 = thread_10.x;
+    outputs_0[_S25] = skin_smoothstep_0(inputs_0[_S25]);
+    return;
+}
+
+fn skin_diffused_shadow_0( lut_5 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  shadow_filter_0 : f32,  n_dot_l_0 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((lut_5), (lut_sampler_5), (saturate((vec2<f32>(shadow_filter_0, max(n_dot_l_0, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_4.xz) * lut_axes_4.yw)), (0.0f))).xyz;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_diffused_shadow(@builtin(global_invocation_id) thread_11 : vec3<u32>)
+{
+    var _S26 : u32 = thread_11.x;
+    var at_10 : u32 = _S26 * u32(7);
+    var result_8 : vec3<f32> = skin_diffused_shadow_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_10], inputs_0[at_10 + u32(1)], inputs_0[at_10 + u32(2)], inputs_0[at_10 + u32(3)]), inputs_0[at_10 + u32(4)], inputs_0[at_10 + u32(5)], inputs_0[at_10 + u32(6)]);
+    var _S27 : u32 = _S26 * u32(3);
+    outputs_0[_S27] = result_8[i32(0)];
+    outputs_0[_S27 + u32(1)] = result_8[i32(1)];
+    outputs_0[_S27 + u32(2)] = result_8[i32(2)];
+    return;
+}
+
+fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
+{
+    return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_sharpened_shadow(@builtin(global_invocation_id) thread_12 : vec3<u32>)
+{
+    var _S28 : u32 = thread_12.x;
+    var at_11 : u32 = _S28 * u32(2);
+    outputs_0[_S28] = skin_sharpened_shadow_0(inputs_0[at_11], inputs_0[at_11 + u32(1)]);
+    return;
+}
+
+fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
+{
+    var _S29 : f32 = d_0.y;
+    var _S30 : f32 = d_0.z;
+    var _S31 : f32 = d_0.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S29 + sh_0[i32(0)].z * _S30 + sh_0[i32(1)].x * _S31), 1.09254848957061768f * (sh_0[i32(1)].y * _S31 * _S29 + sh_0[i32(1)].z * _S29 * _S30 + sh_0[i32(2)].y * _S31 * _S30) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S30 * _S30 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S31 * _S31 - _S29 * _S29));
+}
+
+fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_1 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+{
+    var l_0 : f32 = skin_safe_length_0(normal_1);
+    return max(dot(skin_sh_bands_0(sh_1, normal_1 / vec3<f32>(l_0)), vec3<f32>(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+}
+
+fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_5 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
+{
+    var t_0 : mat3x3<f32> = transpose(band_transfer_1);
+    return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_5[i32(0)], t_0[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_5[i32(1)], t_0[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_5[i32(2)], t_0[i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_irradiance(@builtin(global_invocation_id) thread_13 : vec3<u32>)
+{
+    var _S32 : u32 = thread_13.x;
+    var at_12 : u32 = _S32 * u32(45);
+    var result_9 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[at_12], inputs_0[at_12 + u32(1)], inputs_0[at_12 + u32(2)], inputs_0[at_12 + u32(3)], inputs_0[at_12 + u32(4)], inputs_0[at_12 + u32(5)], inputs_0[at_12 + u32(6)], inputs_0[at_12 + u32(7)], inputs_0[at_12 + u32(8)]), mat3x3<f32>(inputs_0[at_12 + u32(9)], inputs_0[at_12 + u32(10)], inputs_0[at_12 + u32(11)], inputs_0[at_12 + u32(12)], inputs_0[at_12 + u32(13)], inputs_0[at_12 + u32(14)], inputs_0[at_12 + u32(15)], inputs_0[at_12 + u32(16)], inputs_0[at_12 + u32(17)]), mat3x3<f32>(inputs_0[at_12 + u32(18)], inputs_0[at_12 + u32(19)], inputs_0[at_12 + u32(20)], inputs_0[at_12 + u32(21)], inputs_0[at_12 + u32(22)], inputs_0[at_12 + u32(23)], inputs_0[at_12 + u32(24)], inputs_0[at_12 + u32(25)], inputs_0[at_12 + u32(26)]), mat3x3<f32>(inputs_0[at_12 + u32(27)], inputs_0[at_12 + u32(28)], inputs_0[at_12 + u32(29)], inputs_0[at_12 + u32(30)], inputs_0[at_12 + u32(31)], inputs_0[at_12 + u32(32)], inputs_0[at_12 + u32(33)], inputs_0[at_12 + u32(34)], inputs_0[at_12 + u32(35)]), mat3x3<f32>(inputs_0[at_12 + u32(36)], inputs_0[at_12 + u32(37)], inputs_0[at_12 + u32(38)], inputs_0[at_12 + u32(39)], inputs_0[at_12 + u32(40)], inputs_0[at_12 + u32(41)], inputs_0[at_12 + u32(42)], inputs_0[at_12 + u32(43)], inputs_0[at_12 + u32(44)]));
+    var _S33 : u32 = _S32 * u32(3);
+    outputs_0[_S33] = result_9[i32(0)];
+    outputs_0[_S33 + u32(1)] = result_9[i32(1)];
+    outputs_0[_S33 + u32(2)] = result_9[i32(2)];
+    return;
+}
+
+fn skin_unit_vectors_0( v_1 : vec3<f32>) -> vec3<f32>
+{
+    return v_1 / vec3<f32>(skin_safe_length_0(v_1));
+}
+
+fn skin_ambient_normals_0( normals_6 : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_unit_vectors_0(normals_6[i32(0)]), skin_unit_vectors_0(normals_6[i32(1)]), skin_unit_vectors_0(normals_6[i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_normals(@builtin(global_invocation_id) thread_14 : vec3<u32>)
+{
+    var at_13 : u32 = thread_14.x * u32(9);
+    var _S34 : u32 = at_13 + u32(1);
+    var _S35 : u32 = at_13 + u32(2);
+    var _S36 : u32 = at_13 + u32(3);
+    var _S37 : u32 = at_13 + u32(4);
+    var _S38 : u32 = at_13 + u32(5);
+    var _S39 : u32 = at_13 + u32(6);
+    var _S40 : u32 = at_13 + u32(7);
+    var _S41 : u32 = at_13 + u32(8);
+    var result_10 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[at_13], inputs_0[_S34], inputs_0[_S35], inputs_0[_S36], inputs_0[_S37], inputs_0[_S38], inputs_0[_S39], inputs_0[_S40], inputs_0[_S41]));
+    outputs_0[at_13] = result_10[i32(0)][i32(0)];
+    outputs_0[_S34] = result_10[i32(0)][i32(1)];
+    outputs_0[_S35] = result_10[i32(0)][i32(2)];
+    outputs_0[_S36] = result_10[i32(1)][i32(0)];
+    outputs_0[_S37] = result_10[i32(1)][i32(1)];
+    outputs_0[_S38] = result_10[i32(1)][i32(2)];
+    outputs_0[_S39] = result_10[i32(2)][i32(0)];
+    outputs_0[_S40] = result_10[i32(2)][i32(1)];
+    outputs_0[_S41] = result_10[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_ambient_of_three_0( red_0 : vec3<f32>,  green_0 : vec3<f32>,  blue_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(red_0.x, green_0.y, blue_0.z);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_of_three(@builtin(global_invocation_id) thread_15 : vec3<u32>)
+{
+    var _S42 : u32 = thread_15.x;
+    var at_14 : u32 = _S42 * u32(9);
+    var result_11 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[at_14], inputs_0[at_14 + u32(1)], inputs_0[at_14 + u32(2)]), vec3<f32>(inputs_0[at_14 + u32(3)], inputs_0[at_14 + u32(4)], inputs_0[at_14 + u32(5)]), vec3<f32>(inputs_0[at_14 + u32(6)], inputs_0[at_14 + u32(7)], inputs_0[at_14 + u32(8)]));
+    var _S43 : u32 = _S42 * u32(3);
+    outputs_0[_S43] = result_11[i32(0)];
+    outputs_0[_S43 + u32(1)] = result_11[i32(1)];
+    outputs_0[_S43 + u32(2)] = result_11[i32(2)];
+    return;
+}
+
+fn skin_bounced_visibility_0( visibility_0 : vec3<f32>,  albedo_1 : vec3<f32>) -> vec3<f32>
+{
+    return max(visibility_0, ((visibility_0 * (vec3<f32>(2.04040002822875977f) * albedo_1 - vec3<f32>(0.33239999413490295f)) + (vec3<f32>(-4.79510021209716797f) * albedo_1 + vec3<f32>(0.64170002937316895f))) * visibility_0 + (vec3<f32>(2.75519990921020508f) * albedo_1 + vec3<f32>(0.69029998779296875f))) * visibility_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_bounced_visibility(@builtin(global_invocation_id) thread_16 : vec3<u32>)
+{
+    var _S44 : u32 = thread_16.x;
+    var at_15 : u32 = _S44 * u32(6);
+    var result_12 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[at_15], inputs_0[at_15 + u32(1)], inputs_0[at_15 + u32(2)]), vec3<f32>(inputs_0[at_15 + u32(3)], inputs_0[at_15 + u32(4)], inputs_0[at_15 + u32(5)]));
+    var _S45 : u32 = _S44 * u32(3);
+    outputs_0[_S45] = result_12[i32(0)];
+    outputs_0[_S45 + u32(1)] = result_12[i32(1)];
+    outputs_0[_S45 + u32(2)] = result_12[i32(2)];
+    return;
+}
+
+fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
+{
+    var exponent_0 : f32 = exp2(-16.0f * roughness_0 - 1.0f);
+    var base_0 : f32 = n_dot_v_0 + visibility_1;
+    var open_0 : f32;
+    if(base_0 > 0.0f)
+    {
+        open_0 = pow(base_0, exponent_0);
+    }
+    else
+    {
+        open_0 = 0.0f;
+    }
+    return saturate(open_0 - 1.0f + visibility_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_specular_visibility(@builtin(global_invocation_id) thread_17 : vec3<u32>)
+{
+    var _S46 : u32 = thread_17.x;
+    var at_16 : u32 = _S46 * u32(3);
+    outputs_0[_S46] = skin_specular_visibility_0(inputs_0[at_16], inputs_0[at_16 + u32(1)], inputs_0[at_16 + u32(2)]);
+    return;
+}
+
+fn skin_linear_depth_0( depth_0 : f32,  projection_0 : mat4x4<f32>) -> f32
+{
+    return abs((depth_0 * projection_0[i32(3)][i32(3)] - projection_0[i32(2)][i32(3)]) / (projection_0[i32(2)][i32(2)] - depth_0 * projection_0[i32(3)][i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_linear_depth(@builtin(global_invocation_id) thread_18 : vec3<u32>)
+{
+    var _S47 : u32 = thread_18.x;
+    var at_17 : u32 = _S47 * u32(17);
+    outputs_0[_S47] = skin_linear_depth_0(inputs_0[at_17], mat4x4<f32>(inputs_0[at_17 + u32(1)], inputs_0[at_17 + u32(2)], inputs_0[at_17 + u32(3)], inputs_0[at_17 + u32(4)], inputs_0[at_17 + u32(5)], inputs_0[at_17 + u32(6)], inputs_0[at_17 + u32(7)], inputs_0[at_17 + u32(8)], inputs_0[at_17 + u32(9)], inputs_0[at_17 + u32(10)], inputs_0[at_17 + u32(11)], inputs_0[at_17 + u32(12)], inputs_0[at_17 + u32(13)], inputs_0[at_17 + u32(14)], inputs_0[at_17 + u32(15)], inputs_0[at_17 + u32(16)]));
+    return;
+}
+
+fn skin_inward_offset_0( position_mm_0 : vec3<f32>,  normal_2 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+{
+    return position_mm_0 - normal_2 * vec3<f32>(offset_mm_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_inward_offset(@builtin(global_invocation_id) thread_19 : vec3<u32>)
+{
+    var _S48 : u32 = thread_19.x;
+    var at_18 : u32 = _S48 * u32(7);
+    var result_13 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[at_18], inputs_0[at_18 + u32(1)], inputs_0[at_18 + u32(2)]), vec3<f32>(inputs_0[at_18 + u32(3)], inputs_0[at_18 + u32(4)], inputs_0[at_18 + u32(5)]), inputs_0[at_18 + u32(6)]);
+    var _S49 : u32 = _S48 * u32(3);
+    outputs_0[_S49] = result_13[i32(0)];
+    outputs_0[_S49 + u32(1)] = result_13[i32(1)];
+    outputs_0[_S49 + u32(2)] = result_13[i32(2)];
+    return;
+}
+
+fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo_2 * albedo_2;
+    var _S50 : vec3<f32> = vec3<f32>(1.0f);
+    var _S51 : vec3<f32> = vec3<f32>(2.0f);
+    var _S52 : vec3<f32> = _S51 * albedo_2;
+    var a_0 : vec3<f32> = (_S50 + a2_0) / _S52;
+    var b_0 : vec3<f32> = (_S50 - a2_0) / _S52;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
+    return _S51 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_transmittance(@builtin(global_invocation_id) thread_20 : vec3<u32>)
+{
+    var _S53 : u32 = thread_20.x;
+    var at_19 : u32 = _S53 * u32(7);
+    var result_14 : vec3<f32> = skin_transmittance_0(inputs_0[at_19], vec3<f32>(inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)], inputs_0[at_19 + u32(3)]), vec3<f32>(inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)], inputs_0[at_19 + u32(6)]));
+    var _S54 : u32 = _S53 * u32(3);
+    outputs_0[_S54] = result_14[i32(0)];
+    outputs_0[_S54 + u32(1)] = result_14[i32(1)];
+    outputs_0[_S54 + u32(2)] = result_14[i32(2)];
+    return;
+}
+
+fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
+{
+    var t_1 : f32 = thickness_mm_1 / radius_mm_0;
+    return exp(-0.5f * t_1 * t_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_transmittance(@builtin(global_invocation_id) thread_21 : vec3<u32>)
+{
+    var _S55 : u32 = thread_21.x;
+    var at_20 : u32 = _S55 * u32(2);
+    outputs_0[_S55] = skin_classic_transmittance_0(inputs_0[at_20], inputs_0[at_20 + u32(1)]);
+    return;
+}
+
+fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_0 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_0) * transmitted_0 * vec3<f32>(max(- n_dot_l_1, 0.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_22 : vec3<u32>)
+{
+    var _S56 : u32 = thread_22.x;
+    var at_21 : u32 = _S56 * u32(5);
+    var result_15 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[at_21], inputs_0[at_21 + u32(1)], inputs_0[at_21 + u32(2)]), inputs_0[at_21 + u32(3)], inputs_0[at_21 + u32(4)]);
+    var _S57 : u32 = _S56 * u32(3);
+    outputs_0[_S57] = result_15[i32(0)];
+    outputs_0[_S57 + u32(1)] = result_15[i32(1)];
+    outputs_0[_S57 + u32(2)] = result_15[i32(2)];
+    return;
+}
+
+fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 : vec3<f32>,  strength_1 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_1) * transmitted_1 * irradiance_behind_0;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_23 : vec3<u32>)
+{
+    var _S58 : u32 = thread_23.x;
+    var at_22 : u32 = _S58 * u32(7);
+    var result_16 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[at_22], inputs_0[at_22 + u32(1)], inputs_0[at_22 + u32(2)]), vec3<f32>(inputs_0[at_22 + u32(3)], inputs_0[at_22 + u32(4)], inputs_0[at_22 + u32(5)]), inputs_0[at_22 + u32(6)]);
+    var _S59 : u32 = _S58 * u32(3);
+    outputs_0[_S59] = result_16[i32(0)];
+    outputs_0[_S59 + u32(1)] = result_16[i32(1)];
+    outputs_0[_S59 + u32(2)] = result_16[i32(2)];
+    return;
+}
+
+fn skin_specular_power_0( gloss_0 : f32) -> f32
+{
+    return exp2(13.0f * gloss_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_specular_power(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+{
+    var _S60 : u32 = thread_24.x;
+    outputs_0[_S60] = skin_specular_power_0(inputs_0[_S60]);
+    return;
+}
+
+fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
+{
+    var l_1 : f32 = clamp(normal_length_0, 0.00100000004749745f, 1.0f);
+    var power_0 : f32 = skin_specular_power_0(gloss_1);
+    return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0f - l_1)), 1.0f)) / 13.0f;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+{
+    var _S61 : u32 = thread_25.x;
+    var at_23 : u32 = _S61 * u32(2);
+    outputs_0[_S61] = skin_gloss_of_relief_0(inputs_0[at_23], inputs_0[at_23 + u32(1)]);
+    return;
+}
+
+fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
+{
+    var _S62 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S62 * _S62;
+    return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+{
+    var _S63 : u32 = thread_26.x;
+    outputs_0[_S63] = skin_gloss_from_roughness_0(inputs_0[_S63]);
+    return;
+}
+
+fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_1 : f32) -> f32
+{
+    var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
+    var _S64 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S64 * n_dot_l_2) * (k_0 + _S64 * n_dot_v_1)));
+}
+
+fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
+{
+    var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_0 + light_5);
+    var n_dot_l_3 : f32 = saturate(dot(normal_3, light_5));
+    var n_dot_v_2 : f32 = clamp(dot(normal_3, view_0), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_3, half_vector_0));
+    var wide_0 : f32 = skin_specular_power_0(gloss_2);
+    var away_0 : f32 = 1.0f - saturate(dot(view_0, half_vector_0));
+    var away2_0 : f32 = away_0 * away_0;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance_0 + (1.0f - reflectance_0) * away2_0 * away2_0 * away_0) * n_dot_l_3;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_specular(@builtin(global_invocation_id) thread_27 : vec3<u32>)
+{
+    var _S65 : u32 = thread_27.x;
+    var at_24 : u32 = _S65 * u32(11);
+    outputs_0[_S65] = skin_specular_0(vec3<f32>(inputs_0[at_24], inputs_0[at_24 + u32(1)], inputs_0[at_24 + u32(2)]), vec3<f32>(inputs_0[at_24 + u32(3)], inputs_0[at_24 + u32(4)], inputs_0[at_24 + u32(5)]), vec3<f32>(inputs_0[at_24 + u32(6)], inputs_0[at_24 + u32(7)], inputs_0[at_24 + u32(8)]), inputs_0[at_24 + u32(9)], inputs_0[at_24 + u32(10)]);
+    return;
+}
+
+fn skin_reflected_0( normal_4 : vec3<f32>,  view_1 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>((2.0f * dot(normal_4, view_1))) * normal_4 - view_1;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflected(@builtin(global_invocation_id) thread_28 : vec3<u32>)
+{
+    var _S66 : u32 = thread_28.x;
+    var at_25 : u32 = _S66 * u32(6);
+    var result_17 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[at_25], inputs_0[at_25 + u32(1)], inputs_0[at_25 + u32(2)]), vec3<f32>(inputs_0[at_25 + u32(3)], inputs_0[at_25 + u32(4)], inputs_0[at_25 + u32(5)]));
+    var _S67 : u32 = _S66 * u32(3);
+    outputs_0[_S67] = result_17[i32(0)];
+    outputs_0[_S67 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S67 + u32(2)] = result_17[i32(2)];
+    return;
+}
+
+fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectance_1 : f32) -> f32
+{
+    var away_1 : f32 = 1.0f - saturate(n_dot_v_3);
+    var away2_1 : f32 = away_1 * away_1;
+    return reflectance_1 + (1.0f - reflectance_1) * away2_1 * away2_1 * away_1 / (4.0f - 3.0f * gloss_3);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_29 : vec3<u32>)
+{
+    var _S68 : u32 = thread_29.x;
+    var at_26 : u32 = _S68 * u32(3);
+    outputs_0[_S68] = skin_ambient_specular_fresnel_0(inputs_0[at_26], inputs_0[at_26 + u32(1)], inputs_0[at_26 + u32(2)]);
+    return;
+}
+
+fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) -> f32
+{
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_4, reflectance_2);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_30 : vec3<u32>)
+{
+    var _S69 : u32 = thread_30.x;
+    var at_27 : u32 = _S69 * u32(3);
+    outputs_0[_S69] = skin_diffuse_share_0(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]);
+    return;
+}
+
+fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
+{
+    var x_1 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S70 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_1;
+    return x_1 * (_S70 + vec3<f32>(0.5f)) / (x_1 * (_S70 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_filmic(@builtin(global_invocation_id) thread_31 : vec3<u32>)
+{
+    var at_28 : u32 = thread_31.x * u32(3);
+    var _S71 : u32 = at_28 + u32(1);
+    var _S72 : u32 = at_28 + u32(2);
+    var result_18 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_28], inputs_0[_S71], inputs_0[_S72]));
+    outputs_0[at_28] = result_18[i32(0)];
+    outputs_0[_S71] = result_18[i32(1)];
+    outputs_0[_S72] = result_18[i32(2)];
+    return;
+}
+
+fn skin_srgb_curve_0( x_2 : f32) -> f32
+{
+    var _S73 : f32;
+    if(x_2 <= 0.00313080009073019f)
+    {
+        _S73 = 12.92000007629394531f * x_2;
+    }
+    else
+    {
+        _S73 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S73;
+}
+
+fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
+{
+    var x_3 : vec3<f32> = saturate(light_7);
+    return vec3<f32>(skin_srgb_curve_0(x_3.x), skin_srgb_curve_0(x_3.y), skin_srgb_curve_0(x_3.z));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_32 : vec3<u32>)
+{
+    var at_29 : u32 = thread_32.x * u32(3);
+    var _S74 : u32 = at_29 + u32(1);
+    var _S75 : u32 = at_29 + u32(2);
+    var result_19 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_29], inputs_0[_S74], inputs_0[_S75]));
+    outputs_0[at_29] = result_19[i32(0)];
+    outputs_0[_S74] = result_19[i32(1)];
+    outputs_0[_S75] = result_19[i32(2)];
+    return;
+}
+
+fn skin_linear_curve_0( x_4 : f32) -> f32
+{
+    var _S76 : f32;
+    if(x_4 <= 0.04044999927282333f)
+    {
+        _S76 = x_4 / 12.92000007629394531f;
+    }
+    else
+    {
+        _S76 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+    }
+    return _S76;
+}
+
+fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
+{
+    var x_5 : vec3<f32> = saturate(display_0);
+    return vec3<f32>(skin_linear_curve_0(x_5.x), skin_linear_curve_0(x_5.y), skin_linear_curve_0(x_5.z));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+{
+    var at_30 : u32 = thread_33.x * u32(3);
+    var _S77 : u32 = at_30 + u32(1);
+    var _S78 : u32 = at_30 + u32(2);
+    var result_20 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_30], inputs_0[_S77], inputs_0[_S78]));
+    outputs_0[at_30] = result_20[i32(0)];
+    outputs_0[_S77] = result_20[i32(1)];
+    outputs_0[_S78] = result_20[i32(2)];
+    return;
+}
+
+fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size_1 : f32,  hardware_level_1 : f32) -> f32
+{
+    return max(hardware_level_1, log2(max(map_size_1 * radius_mm_1, uv_scale_mm_1) / uv_scale_mm_1));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+{
+    var _S79 : u32 = thread_34.x;
+    var at_31 : u32 = _S79 * u32(4);
+    outputs_0[_S79] = skin_classic_blur_level_0(inputs_0[at_31], inputs_0[at_31 + u32(1)], inputs_0[at_31 + u32(2)], inputs_0[at_31 + u32(3)]);
+    return;
+}
+
+fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  sharp_0 : vec3<f32>,  blurred_0 : vec3<f32>,  light_8 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+{
+    var blurred_cosine_0 : f32 = dot(blurred_0, light_8);
+    var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_2 : f32 = k_1 * k_1;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_8), dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>(k_2))), light_8))) + ((textureSampleLevel((lut_6), (lut_sampler_6), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_direct(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+{
+    var _S80 : u32 = thread_35.x;
+    var at_32 : u32 = _S80 * u32(14);
+    var result_21 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_32], inputs_0[at_32 + u32(1)], inputs_0[at_32 + u32(2)], inputs_0[at_32 + u32(3)]), vec3<f32>(inputs_0[at_32 + u32(4)], inputs_0[at_32 + u32(5)], inputs_0[at_32 + u32(6)]), vec3<f32>(inputs_0[at_32 + u32(7)], inputs_0[at_32 + u32(8)], inputs_0[at_32 + u32(9)]), vec3<f32>(inputs_0[at_32 + u32(10)], inputs_0[at_32 + u32(11)], inputs_0[at_32 + u32(12)]), inputs_0[at_32 + u32(13)]);
+    var _S81 : u32 = _S80 * u32(3);
+    outputs_0[_S81] = result_21[i32(0)];
+    outputs_0[_S81 + u32(1)] = result_21[i32(1)];
+    outputs_0[_S81 + u32(2)] = result_21[i32(2)];
+    return;
+}
+
+fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(blurred_1, skin_unit_vectors_0(mix(sharp_1, blurred_1, vec3<f32>(0.30000001192092896f))), sharp_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_36 : vec3<u32>)
+{
+    var _S82 : u32 = thread_36.x;
+    var at_33 : u32 = _S82 * u32(6);
+    var result_22 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_33], inputs_0[at_33 + u32(1)], inputs_0[at_33 + u32(2)]), vec3<f32>(inputs_0[at_33 + u32(3)], inputs_0[at_33 + u32(4)], inputs_0[at_33 + u32(5)]));
+    var _S83 : u32 = _S82 * u32(9);
+    outputs_0[_S83] = result_22[i32(0)][i32(0)];
+    outputs_0[_S83 + u32(1)] = result_22[i32(0)][i32(1)];
+    outputs_0[_S83 + u32(2)] = result_22[i32(0)][i32(2)];
+    outputs_0[_S83 + u32(3)] = result_22[i32(1)][i32(0)];
+    outputs_0[_S83 + u32(4)] = result_22[i32(1)][i32(1)];
+    outputs_0[_S83 + u32(5)] = result_22[i32(1)][i32(2)];
+    outputs_0[_S83 + u32(6)] = result_22[i32(2)][i32(0)];
+    outputs_0[_S83 + u32(7)] = result_22[i32(2)][i32(1)];
+    outputs_0[_S83 + u32(8)] = result_22[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) -> f32
+{
+    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+{
+    var _S84 : u32 = thread_37.x;
+    var at_34 : u32 = _S84 * u32(2);
+    outputs_0[_S84] = skin_classic_sharpened_shadow_0(inputs_0[at_34], inputs_0[at_34 + u32(1)]);
+    return;
+}
+
+fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_mm_2 : f32,  strength_2 : f32) -> f32
+{
+    return strength_2 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_4, 0.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+{
+    var _S85 : u32 = thread_38.x;
+    var at_35 : u32 = _S85 * u32(4);
+    outputs_0[_S85] = skin_classic_deep_scatter_0(inputs_0[at_35], inputs_0[at_35 + u32(1)], inputs_0[at_35 + u32(2)], inputs_0[at_35 + u32(3)]);
+    return;
+}
+

@@ -1,0 +1,152 @@
+"""Random and limiting values for every parameter of the shader library, by name."""
+
+from __future__ import annotations
+
+import numpy as np
+
+COUNT = 512
+
+
+def uniform(low, high, *ends):
+    """Numbers between two bounds; both bounds, and any others, are among them."""
+
+    def draw(rng, shape=()):
+        values = rng.uniform(low, high, (COUNT, *shape))
+        limits = np.array([low, high, *ends])
+        flat = values.reshape(COUNT, -1)
+        flat[: limits.size] = limits[:, None]
+        return values
+
+    return draw
+
+
+def rgb(low, high):
+    return lambda rng: uniform(low, high)(rng, (3,))
+
+
+def unit(rng):
+    v = rng.normal(size=(COUNT, 3))
+    v[:3] = np.eye(3)
+    return v / np.linalg.norm(v, axis=1, keepdims=True)
+
+
+def channel_normals(rng):
+    """Three normals a row, shorter than 1 as averages are, some of them whole, some nothing."""
+    v = np.stack([unit(rng) for _ in range(3)], axis=1)
+    length = rng.uniform(0.05, 1.0, (COUNT, 3, 1))
+    length[:4] = [[[1.0]] * 3, [[0.5]] * 3, [[1e-3]] * 3, [[0.0]] * 3]
+    return v * length
+
+
+def weights(rng):
+    w = rng.dirichlet(np.ones(3), (COUNT, 3))
+    w[0] = [[1.0, 0.0, 0.0]] * 3
+    return w
+
+
+def symmetric(rng):
+    m = rng.normal(size=(COUNT, 3, 3)) * 0.1
+    m[0] = 0.0
+    return 0.5 * (m + m.swapaxes(1, 2))
+
+
+def coefficients(rng):
+    return np.tile(rng.normal(size=(3, 3)), (COUNT, 1, 1))
+
+
+def projection(rng):
+    """Parallel or perspective, either hand, each range of depth: one of them for all rows."""
+    near, far = 40.0, 2000.0
+    hand = rng.choice([-1.0, 1.0])
+    at_near, at_far = [(0.0, 1.0), (-1.0, 1.0), (1.0, 0.0)][rng.integers(3)]
+    m = np.eye(4)
+    if rng.integers(2):
+        m[3] = [0.0, 0.0, hand, 0.0]
+        slope = (at_far * far - at_near * near) / (far - near)
+        m[2, 2], m[2, 3] = hand * slope, near * (at_near - slope)
+    else:
+        slope = (at_far - at_near) / (far - near)
+        m[2, 2], m[2, 3] = hand * slope, at_near - slope * near
+    return np.tile(m, (COUNT, 1, 1))
+
+
+def one_for_all(low, high):
+    return lambda rng: np.full(COUNT, rng.uniform(low, high))
+
+
+VALUES = {
+    "albedo": rgb(0.02, 0.95),
+    "band_transfer": lambda rng: uniform(0.0, 1.2)(rng, (3, 3)),
+    "blend": weights,
+    "blue": rgb(0.0, 2.0),
+    "blurred": unit,
+    "curvature_per_mm": uniform(-0.5, 0.5, 0.0),
+    "depth": uniform(0.0, 0.97),
+    "directional_per_mm": uniform(0.0, 0.5),
+    "display": rgb(-0.1, 1.1),
+    "fetched": channel_normals,
+    "filter_width_mm": one_for_all(4.0, 20.0),
+    "from_mesh": channel_normals,
+    "from_texture": channel_normals,
+    "gain": rgb(1.0, 1.6),
+    "gloss": uniform(0.0, 1.0),
+    "green": rgb(0.0, 2.0),
+    "hardware_level": uniform(0.0, 6.0),
+    "irradiance_behind": rgb(0.0, 2.0),
+    "light": unit,
+    "m": uniform(-1.0, 1.0, 0.0),
+    "map_size": one_for_all(256.0, 4096.0),
+    "mesh_normal": unit,
+    "n_dot_l": uniform(-1.0, 1.0, 0.0),
+    "n_dot_v": uniform(-1.0, 1.0, 0.0),
+    "normal": unit,
+    "normal_length": uniform(0.0, 1.0),
+    "normals": channel_normals,
+    "offset_mm": one_for_all(0.0, 2.0),
+    "p": uniform(-0.5, 1.5, 0.0, 1.0),
+    "position_mm": rgb(-300.0, 300.0),
+    "projection": projection,
+    "radius_mm": one_for_all(1.0, 8.0),
+    "radiance_sh_blue": coefficients,
+    "radiance_sh_green": coefficients,
+    "radiance_sh_red": coefficients,
+    "red": rgb(0.0, 2.0),
+    "reflectance": uniform(0.0, 0.2),
+    "relief_length": rgb(0.0, 1.0),
+    "rms_radius_mm": rgb(0.1, 5.0),
+    "roughness": uniform(0.0, 1.0),
+    "s": uniform(0.0, 1.0),
+    "shadow_filter": uniform(0.0, 1.0, 0.5),
+    "sharp": unit,
+    "sharpening": one_for_all(1.0, 12.0),
+    "sigma_mm": uniform(0.0, 4.0),
+    "sigma_per_mm": rgb(0.05, 3.0),
+    "strength": one_for_all(0.0, 4.0),
+    "tensor_world": symmetric,
+    "thickness_mm": uniform(0.0, 100.0),
+    "total_per_mm": uniform(0.5, 1.0),
+    "transmitted": rgb(0.0, 1.0),
+    "uv_scale_mm": one_for_all(100.0, 900.0),
+    "view": unit,
+    "visibility": uniform(0.0, 1.0),
+}
+"""By the parameter's name, which means the same wherever it stands."""
+
+BY_FUNCTION = {
+    ("skin_energy_gain", "curvature_per_mm"): rgb(-0.5, 0.5),
+    ("skin_bounced_visibility", "visibility"): rgb(0.0, 1.0),
+    ("skin_filmic", "light"): rgb(0.0, 20.0),
+    ("skin_srgb_from_linear", "light"): rgb(-0.1, 1.1),
+}
+"""Where the same word is another type: a colour, not a direction."""
+
+
+def drawn(signature, seed):
+    """Values by name for one batch, rounded to float32 as the shader reads them."""
+    rng = np.random.default_rng(seed)
+    values = {}
+    for parameter in signature.parameters:
+        if parameter.kind != "lut":
+            draw = BY_FUNCTION.get((signature.name, parameter.name), VALUES[parameter.name])
+            values[parameter.name] = draw(rng).astype(np.float32).astype(np.float64)
+    return values

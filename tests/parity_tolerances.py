@@ -1,0 +1,53 @@
+"""How far a shader in float32 may be from its twin in float64: absolute plus relative, with the reason."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Parity:
+    """|shader − twin| ≤ absolute + relative·|twin|."""
+
+    absolute: float
+    relative: float
+    reason: str
+
+
+FLOAT32 = Parity(2e-6, 2e-6, "some twenty roundings of 6e-8")
+BUMP = Parity(
+    6e-5, 2e-6, "a rational stands for the normal distribution in the bump: 3e-5 of its slope"
+)
+TABLES = Parity(1e-4, 2e-6, "BUMP, and filter weights of 8 bits between columns 1/256 apart")
+
+PARITY = {
+    "skin_relief_bump": BUMP,
+    "skin_direct_scalar": TABLES,
+    "skin_direct_tensor": TABLES,
+    "skin_direct_diffused_normals": TABLES,
+    "skin_unexplained_length": Parity(4e-5, 2e-6, "T(k) from a table of 2048 by weights of 8 bits"),
+    "skin_diffused_shadow": Parity(
+        1e-4, 2e-6, "filter weights of 8 bits between columns 1/512 apart"
+    ),
+    "skin_classic_direct": Parity(
+        1e-4, 2e-6, "filter weights of 8 bits between columns 1/256 apart"
+    ),
+    "skin_directional_curvature": Parity(
+        2e-6, 1e-5, "a quotient of small vectors where the light is nearly overhead"
+    ),
+    "skin_sharpened_shadow": Parity(
+        2e-4, 0.0, "asin at ±1 knows half the bits, times a sharpening of 12"
+    ),
+    "skin_linear_depth": Parity(0.0, 2e-6, "up to 2000 mm; depth to one rounding of its far plane"),
+    "skin_inward_offset": Parity(4e-5, 0.0, "positions of up to 300 mm, rounded to 3e-5"),
+    "skin_specular_power": Parity(0.0, 4e-6, "exp2 of up to 13"),
+    "skin_specular": Parity(
+        4e-5, 1e-3, "n_dot_h to the power of 8192 multiplies its rounding of 6e-8 by as much"
+    ),
+    "skin_gloss_of_relief": Parity(4e-6, 0.0, "log2 near 1"),
+    "skin_gloss_from_roughness": Parity(4e-6, 0.0, "log2 near 1"),
+    "skin_specular_visibility": Parity(
+        2e-5, 0.0, "the root of a difference of nearly equal numbers, near a base of 0"
+    ),
+}
+"""Of functions that need more than `FLOAT32`."""
