@@ -1,7 +1,7 @@
-"""Make sure that a Vulkan driver and the GLSL reference compiler are there: ``python tools/software_driver.py``.
+"""Make sure that a Vulkan driver and the GLSL reference compiler are there.
 
-Where one is not, and the user is root and has apt-get, installs it (the driver is Mesa's software rasteriser);
-else says how.
+Run as ``python tools/software_driver.py``. Where one is missing, and the user is root and has apt-get,
+installs it (the driver is Mesa's software rasteriser); else says how.
 """
 
 from __future__ import annotations

@@ -21,4 +21,18 @@ def doctor_command() -> None:
     for package in ("numpy", "scipy", "trimesh", "OpenImageIO"):
         typer.echo(f"{package} {version(package)}")
     typer.echo(f"backend cpu: {os.cpu_count()} cores")
-    typer.echo("backend gpu: not in this version")
+    for line in _gpus():
+        typer.echo(f"backend gpu: {line}")
+
+
+def _gpus() -> list[str]:
+    try:
+        from ..gpu.device import adapters
+    except ImportError as error:
+        return [f"wgpu cannot be loaded ({error})"]
+    found = [each.info for each in adapters()]
+    lines = [
+        f"{info['device']} ({info['adapter_type']}, {info['backend_type']}, {info['description']})"
+        for info in found
+    ]
+    return lines or ["no adapter; install a GPU driver, or Mesa's lavapipe to draw in software"]

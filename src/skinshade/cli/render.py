@@ -37,7 +37,10 @@ def render_command(
     ),
     samples: int = typer.Option(4, help="Samples a pixel."),
     seed: int = typer.Option(0, help="Moves the samples; the same seed gives the same picture."),
-    backend: str = typer.Option("auto", help="auto, cpu or gpu."),
+    backend: str = typer.Option(
+        "auto", help="cpu, gpu (be it in software), or auto: a hardware GPU, else the CPU."
+    ),
+    adapter: str = typer.Option(None, help="Part of the GPU's name; see skinshade doctor."),
     shading: str = typer.Option(
         "transfer", help="transfer, classic (2014) or lambert (no scattering)."
     ),
@@ -105,7 +108,7 @@ def render_command(
     }
     scene = _retouched(scene, changes, profile, exposure, tone)
     with terminal_progress() as progress:
-        renderer = open_renderer(scene, backend, progress)  # type: ignore[arg-type]  # checked there
+        renderer = open_renderer(scene, backend, progress, adapter)  # type: ignore[arg-type]  # checked there
         if variants:
             _draw_compared(renderer, scene, extent, samples, variants, output)
         elif turntable:
@@ -113,7 +116,7 @@ def render_command(
         else:
             image = renderer.draw(scene.camera, extent, samples, settings)
             write_image(output, image, display(image, scene, settings))
-            typer.echo(f"{output}: {extent[0]}×{extent[1]}")
+            typer.echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.place}")
 
 
 def _check(
@@ -227,7 +230,9 @@ def _draw_compared(
     images = renderer.draw_each(scene.camera, extent, samples, ways)
     pictures = [display(image, scene, way) for image, way in zip(images, ways, strict=True)]
     write_png(output, side_by_side(pictures, [label for label, _ in variants]))
-    typer.echo(f"{output}: {len(pictures)} pictures of {extent[0]}×{extent[1]}")
+    typer.echo(
+        f"{output}: {len(pictures)} pictures of {extent[0]}×{extent[1]}, drawn on {renderer.place}"
+    )
 
 
 def _draw_turntable(
@@ -245,4 +250,6 @@ def _draw_turntable(
         image = renderer.draw(camera, extent, samples, settings)
         path = output.with_stem(f"{output.stem}-{frame:0{digits}d}")
         write_image(path, image, display(image, scene, settings))
-    typer.echo(f"{output.with_stem(output.stem + '-*')}: {frames} frames")
+    typer.echo(
+        f"{output.with_stem(output.stem + '-*')}: {frames} frames, drawn on {renderer.place}"
+    )

@@ -24,6 +24,7 @@ def generate() -> dict[str, str]:
     files["blocks.slang"] = block_source()
     files["layout.json"] = _json({"blocks": block_layouts()})
     files["kernels.wgsl"] = translate(kernel_source(signatures()), "wgsl").text
+    files["skin_pass.wgsl"] = translate('#include "../passes/skin_pass.slang"', "wgsl").text
     files["echo.wgsl"] = translate(block_source() + echo_source(), "wgsl").text
     sources = {path.name: _hash(path) for path in sorted(LIBRARY.glob("*.slang"))}
     files["manifest.json"] = _json({"slangc": version(), "sources": sources})

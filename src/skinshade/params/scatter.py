@@ -26,6 +26,9 @@ class ScatterParams:
     rms_radius_mm: tuple[float, float, float] = number(
         (2.42, 1.06, 0.66), "mm", 0.0, WIDEST_MM, "Root of the profile's mean square radius."
     )
+    sigma_per_mm: tuple[float, float, float] = number(
+        (0.5, 1.1, 1.8), "1/mm", 0.0, 1e6, "Decay of light that comes through."
+    )
     blend_red: tuple[float, float, float] = number(
         (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Red's weights of the sharp, narrow and wide normal."
     )
@@ -46,6 +49,12 @@ class ScatterParams:
     )
     shadow_axes: tuple[float, float, float, float] = number(
         (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the shadow table, rows 1/mm")
+    )
+    classic_axes: tuple[float, float, float, float] = number(
+        (-1.0, 0.5, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("2014's curvature table, rows 1/mm")
+    )
+    classic_shadow_axes: tuple[float, float, float, float] = number(
+        (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("2014's shadow table, rows 1/mm")
     )
     normal_sigmas_mm: tuple[float, float] = number(
         (0.0, 0.0), "mm", 0.0, WIDEST_MM, "Blur of the narrow and the wide normal."

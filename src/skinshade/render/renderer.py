@@ -27,6 +27,8 @@ __all__ = [
 ]
 
 Backend = Literal["auto", "gpu", "cpu"]
+SHADINGS: tuple[ShadingMode, ...] = get_args(ShadingMode)
+TIERS: tuple[Tier, ...] = get_args(Tier)
 
 GEOMETRY_VIEWS = ("normal", "blurred-normal", "curvature", "thickness", "shadow", "albedo")
 TERM_VIEWS = {term.replace("_", "-"): term for term in TERMS}
@@ -60,8 +62,8 @@ class RenderSettings:
 
     def __post_init__(self) -> None:
         for name, value, allowed in (
-            ("shading", self.shading, get_args(ShadingMode)),
-            ("tier", self.tier, get_args(Tier)),
+            ("shading", self.shading, SHADINGS),
+            ("tier", self.tier, TIERS),
             ("deep_scatter_taps", self.deep_scatter_taps, (0, 8, 32)),
             ("debug_view", self.debug_view, (None, *DEBUG_VIEWS)),
         ):
@@ -73,7 +75,15 @@ class RenderSettings:
 
 
 class Renderer(Protocol):
-    """A scene made ready: what does not depend on the camera is computed once."""
+    """A scene made ready: what does not depend on the camera is computed once.
+
+    Attributes
+    ----------
+    place
+        What draws it, for a person to read.
+    """
+
+    place: str
 
     def draw(
         self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
@@ -90,8 +100,24 @@ class Renderer(Protocol):
         """Return a picture for each of the settings, which share the first one's seed."""
 
 
-def open_renderer(scene: Scene, backend: Backend = "auto", progress: Progress = silent) -> Renderer:
+def open_renderer(
+    scene: Scene,
+    backend: Backend = "auto",
+    progress: Progress = silent,
+    adapter: str | None = None,
+) -> Renderer:
     """Make a scene ready to be drawn many times.
+
+    Parameters
+    ----------
+    scene
+        What is drawn.
+    backend
+        ``cpu``; ``gpu``, be it in software; ``auto`` for a GPU that is hardware, or else the CPU.
+    progress
+        Called with what is being done and how far it is.
+    adapter
+        Part of the name of the GPU.
 
     Raises
     ------
@@ -100,11 +126,25 @@ def open_renderer(scene: Scene, backend: Backend = "auto", progress: Progress = 
     """
     if backend not in get_args(Backend):
         raise ArgumentError(f"backend is {backend!r}; it must be auto, gpu or cpu")
-    if backend == "gpu":
-        raise BackendError("backend gpu: this version has no GPU renderer; use cpu or auto")
+    if backend != "cpu":
+        try:
+            return _gpu_renderer(scene, progress, adapter, software=backend == "gpu")
+        except BackendError:
+            if backend == "gpu" or adapter is not None:
+                raise
     from .cpu.renderer import CpuRenderer
 
     return CpuRenderer(scene, progress)
+
+
+def _gpu_renderer(
+    scene: Scene, progress: Progress, adapter: str | None, software: bool
+) -> Renderer:
+    try:
+        from .gpu.renderer import GpuRenderer
+    except ImportError as error:
+        raise BackendError(f"backend gpu: wgpu cannot be loaded ({error}); use cpu") from None
+    return GpuRenderer(scene, progress, adapter, software)
 
 
 def render(
@@ -158,3 +198,13 @@ def display(image: ImageArray, scene: Scene, settings: RenderSettings) -> FloatA
     if settings.debug_view in GEOMETRY_VIEWS:
         return srgb_from_linear(light)
     return tonemap(light, scene.tone, scene.exposure)
+
+
+def sample_offsets(samples: int, seed: int) -> list[tuple[float, float]]:
+    """Points of a pixel by the additive recurrence R₂ [Roberts2018], turned by the seed."""
+    if samples == 1:
+        return [(0.5, 0.5)]
+    start = np.random.default_rng(seed).random(2) if seed else np.array([0.5, 0.5])
+    step = np.array([0.7548776662466927, 0.5698402909980532])  # 1/ρ, 1/ρ² of ρ³ = ρ + 1
+    points = (start + step * np.arange(samples)[:, None]) % 1.0
+    return [(float(x), float(y)) for x, y in points]

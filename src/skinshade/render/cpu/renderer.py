@@ -6,26 +6,22 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from functools import cached_property
 
 import numpy as np
 
 from ..._core.arrays import FloatArray, ImageArray, dot, unit_vectors
 from ..._core.progress import Progress, silent
-from ...mesh import mesh_uv_scale
 from ...scene import Camera, Environment, Light, Scene
 from ...shading import specular
 from ...shading.compose import shade
 from ...shading.normals import blur_level
 from ...shading.pixel import Ambient, Incident, Surface
-from ...shading.skin import Skin
-from ..renderer import RenderSettings
+from ..prepared import PreparedScene
+from ..renderer import RenderSettings, sample_offsets
 from .debug import debug_image
-from .geometry import Columns, Geometry, build_geometry
+from .geometry import Columns
 from .raster import Fragments, rasterize
-from .shadow_map import ShadowMap, render_shadow_map
-from .sky import SkyLight, sky_light
-from .texture import Texture, build_texture
+from .shadow_map import ShadowMap
 
 __all__ = ["CpuRenderer"]
 
@@ -48,7 +44,8 @@ class CpuRenderer:
 
     def __init__(self, scene: Scene, progress: Progress = silent) -> None:
         self.scene = scene
-        self.skin = Skin.of(scene.material.profile, scene.material.params)
+        self.place = "the CPU"
+        self.prepared = PreparedScene(scene, progress)
         self._progress = progress
 
     def draw(
@@ -67,12 +64,12 @@ class CpuRenderer:
         """Return a picture for each way to shade; what they see is found once."""
         width, height = size
         clip = self._clip(camera, size)
-        self._prepare()
+        self.prepared.prepare()
         totals = np.zeros((len(ways), height * width, 3))
         coverage = np.zeros(height * width)
         workers = max(1, os.cpu_count() or 1)
         with ThreadPoolExecutor(workers) as pool:
-            offsets = _sample_offsets(samples, ways[0].seed)
+            offsets = sample_offsets(samples, ways[0].seed)
             for index, offset in enumerate(offsets):
                 self._progress("shading", index / samples)
                 fragments = rasterize(clip, self.scene.mesh.faces, size, offset)
@@ -84,68 +81,16 @@ class CpuRenderer:
                         total[chunk.pixel] += colour
         self._progress("shading", 1.0)
         coverage /= samples
-        behind = (1.0 - coverage[:, None]) * self._background(camera, size)
+        behind = (1.0 - coverage[:, None]) * self.prepared.background(camera, size)
         pictures = []
         for total in totals:
             picture = np.concatenate([total / samples + behind, coverage[:, None]], axis=1)
             pictures.append(picture.reshape(height, width, 4).astype(np.float32))
         return pictures
 
-    def _prepare(self) -> None:
-        # Made here, in one thread and in this order, so that no two chunks make them twice.
-        for name in ("_sky", "_geometry", "_textures", "_shadow_maps"):
-            self._progress("preparing", 0.0)
-            getattr(self, name)
-        skin = self.skin
-        _ = (skin.sphere, skin.ring, skin.shadow, skin.blend)
-
     def _clip(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
         matrix = camera.view_projection(size[0] / size[1])
         return self.scene.mesh.positions_mm @ matrix[:, :3].T + matrix[:, 3]
-
-    @cached_property
-    def _sky(self) -> SkyLight | None:
-        if self.scene.environment is None:
-            return None
-        return sky_light(
-            self.scene.mesh,
-            self.scene.environment,
-            self._shadow_maps,
-            self.skin,
-            self.scene.material.albedo.reshape(-1, 3).mean(axis=0),
-            self._progress,
-        )
-
-    @cached_property
-    def _geometry(self) -> Geometry:
-        return build_geometry(self.scene.mesh, self.skin.profile, self._sky)
-
-    @cached_property
-    def _shadow_maps(self) -> list[tuple[Light, ShadowMap]]:
-        return [(light, render_shadow_map(light, self.scene.mesh)) for light in self.scene.lights]
-
-    @cached_property
-    def _textures(self) -> dict[str, Texture]:
-        material = self.scene.material
-        maps = {
-            "albedo": material.albedo,
-            "normal": material.normal,
-            "specular": material.specular,
-            "deep_scatter": material.deep_scatter,
-        }
-        strength = self.skin.params.normal_strength
-        if material.normal is not None and strength != 1.0:
-            steep = material.normal * np.array([strength, strength, 1.0], dtype=np.float32)
-            maps["normal"] = steep / np.linalg.norm(steep, axis=2, keepdims=True)
-        there = {name: picture for name, picture in maps.items() if picture is not None}
-        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            return dict(zip(there, pool.map(build_texture, there.values()), strict=True))
-
-    @cached_property
-    def _uv_scale_mm(self) -> float:
-        mesh = self.scene.mesh
-        assert mesh.uvs is not None
-        return mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces)
 
     def _shade(
         self,
@@ -154,16 +99,18 @@ class CpuRenderer:
         samples: int,
         ways: Sequence[RenderSettings],
     ) -> list[FloatArray]:
-        columns = self._geometry.interpolated(chunk.face, chunk.barycentric)
+        columns = self.prepared.geometry.interpolated(chunk.face, chunk.barycentric)
         surface = self._surface(chunk, columns, camera, samples)
         shadowed = [
             self._incident(light, shadow_map, columns, surface)
-            for light, shadow_map in self._shadow_maps
+            for light, shadow_map in self.prepared.shadow_maps
         ]
         through = {
             taps: [
                 self._with_thickness(incident, shadow_map, columns, surface, taps)
-                for incident, (_, shadow_map) in zip(shadowed, self._shadow_maps, strict=True)
+                for incident, (_, shadow_map) in zip(
+                    shadowed, self.prepared.shadow_maps, strict=True
+                )
             ]
             for taps in {_taps(way) for way in ways}
         }
@@ -183,19 +130,19 @@ class CpuRenderer:
                 return view
         if surroundings is not None and not way.deep_scatter_taps:
             surroundings = replace(surroundings, through=None)
-        terms = shade(self.skin, surface, lights, surroundings, way.shading, way.tier)
+        terms = shade(self.prepared.skin, surface, lights, surroundings, way.shading, way.tier)
         if way.debug_view is not None:
             return terms[way.debug_view.replace("-", "_")]
         total: FloatArray = np.sum(list(terms.values()), axis=0)
         return total
 
     def _surface(self, chunk: Fragments, columns: Columns, camera: Camera, samples: int) -> Surface:
-        params = self.skin.params
+        params = self.prepared.skin.params
         # Between vertices that turn, interpolation shortens normals; that is no relief.
         length = np.maximum(np.sqrt(dot(columns["normal"], columns["normal"])), 1e-3)
         normal = unit_vectors(columns["normal"])
         uv = columns["uv"]
-        geometry = self._geometry
+        geometry = self.prepared.geometry
         corner_uv = geometry.table[:, geometry.slices["uv"]][geometry.faces[chunk.face]]
         # Samples share a pixel: each stands for a smaller footprint.
         spread = 1.0 / np.sqrt(samples)
@@ -203,23 +150,25 @@ class CpuRenderer:
         along_y = spread * np.einsum("ni,nik->nk", chunk.along_y, corner_uv)
 
         def fetch(name: str) -> FloatArray:
-            texture = self._textures[name]
+            texture = self.prepared.textures[name]
             return texture.sample(uv, texture.level(along_x, along_y))
 
         ones = np.ones(chunk.pixel.size)
         gloss, reflectance = params.gloss * ones, params.reflectance * ones
-        if "specular" in self._textures:
+        if "specular" in self.prepared.textures:
             factor, gloss = fetch("specular").T
             reflectance = params.reflectance * factor
         albedo = (
             fetch("albedo")
-            if self._textures["albedo"].size > 1
+            if self.prepared.textures["albedo"].size > 1
             else np.repeat(
                 self.scene.material.albedo.reshape(1, 3).astype(np.float64), ones.size, axis=0
             )
         )
         tint = (
-            fetch("deep_scatter") if "deep_scatter" in self._textures else np.ones((ones.size, 3))
+            fetch("deep_scatter")
+            if "deep_scatter" in self.prepared.textures
+            else np.ones((ones.size, 3))
         )
         fetched = self._fetched_normals(columns, normal, uv, along_x, along_y)
         gloss = specular.gloss_of_relief(gloss, np.sqrt(dot(fetched[:, 0], fetched[:, 0])))
@@ -245,10 +194,10 @@ class CpuRenderer:
         along_x: FloatArray,
         along_y: FloatArray,
     ) -> FloatArray:
-        sigmas = self.skin.blend.sigmas_mm
-        if "normal" not in self._textures:
+        sigmas = self.prepared.skin.blend.sigmas_mm
+        if "normal" not in self.prepared.textures:
             return np.repeat(normal[:, None], sigmas.size + 1, axis=1)
-        texture = self._textures["normal"]
+        texture = self.prepared.textures["normal"]
         tangent = columns["tangent"][:, :3]
         tangent = unit_vectors(tangent - normal * dot(tangent, normal)[:, None])
         bitangent = np.cross(normal, tangent) * np.sign(columns["tangent"][:, 3:])
@@ -258,7 +207,7 @@ class CpuRenderer:
             at = (
                 level
                 if sigma is None
-                else blur_level(sigma, self._uv_scale_mm, texture.size, level)
+                else blur_level(sigma, self.prepared.uv_scale_mm, texture.size, level)
             )
             t = texture.sample(uv, at)
             fetched.append(tangent * t[:, :1] + bitangent * t[:, 1:2] + normal * t[:, 2:])
@@ -277,7 +226,7 @@ class CpuRenderer:
             normal[lit],
             to_light[lit],
             surface.curvature_per_mm[lit],
-            self.skin.params.shadow_filter_width_mm,
+            self.prepared.skin.params.shadow_filter_width_mm,
         )
         return Incident(to_light, irradiance / np.pi, shadow_filter)
 
@@ -291,7 +240,7 @@ class CpuRenderer:
     ) -> Incident:
         if not taps:
             return incident
-        params = self.skin.params
+        params = self.prepared.skin.params
         cosine = dot(surface.mesh_normal, incident.to_light)
         behind = np.flatnonzero(cosine < 0.5)
         thickness = np.full(cosine.size, 1e3)
@@ -316,18 +265,6 @@ class CpuRenderer:
             columns["through"],
         )
 
-    def _background(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
-        environment = self.scene.environment
-        if environment is None or not environment.visible:
-            return self.scene.background
-        width, height = size
-        x = (2.0 * np.arange(width) + 1.0) / width - 1.0
-        y = 1.0 - (2.0 * np.arange(height) + 1.0) / height
-        screen = np.stack(np.broadcast_arrays(x[None, :], y[:, None], 1.0, 1.0), axis=-1)
-        far = screen.reshape(-1, 4) @ np.linalg.inv(camera.view_projection(width / height)).T
-        rays = unit_vectors(far[:, :3] / far[:, 3:] - camera.position_mm)
-        return environment.sample(rays)
-
 
 def _taps(way: RenderSettings) -> int:
     """Taps that the way looks at: nothing comes through a surface without scattering."""
@@ -342,16 +279,6 @@ def _two_lobes(environment: Environment, surface: Surface) -> FloatArray:
     wide = environment.preconvolved.sample(mirror, power / 4.0)
     sharp = environment.preconvolved.sample(mirror, np.square(power) / 4.0)
     return (1.0 - share) * wide + share * sharp
-
-
-def _sample_offsets(samples: int, seed: int) -> list[tuple[float, float]]:
-    """Points of a pixel by the additive recurrence R₂ [Roberts2018], turned by the seed."""
-    if samples == 1:
-        return [(0.5, 0.5)]
-    start = np.random.default_rng(seed).random(2) if seed else np.array([0.5, 0.5])
-    step = np.array([0.7548776662466927, 0.5698402909980532])  # 1/ρ, 1/ρ² of ρ³ = ρ + 1
-    points = (start + step * np.arange(samples)[:, None]) % 1.0
-    return [(float(x), float(y)) for x, y in points]
 
 
 def _chunks(fragments: Fragments) -> Iterator[Fragments]:

@@ -13,7 +13,7 @@ from ...scene import Light
 from ...shading.deep_scatter import inward_offset, poisson_disk, thickness_from_depths
 from .raster import depth_maps
 
-__all__ = ["ShadowMap", "render_shadow_map"]
+__all__ = ["FILTER_TAPS", "ShadowMap", "hemisphere_disk", "render_shadow_map"]
 
 MAP_SIZE = 1024
 FILTER_TAPS = 48
@@ -96,7 +96,7 @@ class ShadowMap:
         x, y, depth, radius = x[edge], y[edge], depth[edge], radius[edge]
         rise_x, rise_y = slope[0][edge] * texel_mm[edge], slope[1][edge] * texel_mm[edge]
         total = np.zeros(edge.size)
-        for dx, dy in _hemisphere_disk(FILTER_TAPS):
+        for dx, dy in hemisphere_disk(FILTER_TAPS):
             across, down = dx * radius, dy * radius
             total += _compared(
                 self.occluders, x + across, y + down, depth + rise_x * across + rise_y * down
@@ -188,8 +188,8 @@ def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
     return ShadowMap(view, projection, first, np.minimum(away, first + ATTACHED_MM))
 
 
-def _hemisphere_disk(taps: int) -> FloatArray:
-    """Points (taps, 2) of the unit disk with density √(1−r²), on a sunflower spiral [Vogel1979]."""
+def hemisphere_disk(taps: int) -> FloatArray:
+    """Return points (taps, 2) of the unit disk with density √(1−r²), on a sunflower spiral [Vogel1979]."""
     share = (np.arange(taps) + 0.5) / taps
     radius = np.sqrt(1.0 - (1.0 - share) ** (2.0 / 3.0))
     angle = np.arange(taps) * np.pi * (3.0 - np.sqrt(5.0))

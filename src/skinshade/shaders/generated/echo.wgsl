@@ -21,6 +21,7 @@ struct ScatterBlock_std140_0
 {
     @align(16) albedo_0 : vec4<f32>,
     @align(16) rms_radius_mm_0 : vec4<f32>,
+    @align(16) sigma_per_mm_0 : vec4<f32>,
     @align(16) blend_red_0 : vec4<f32>,
     @align(16) blend_green_0 : vec4<f32>,
     @align(16) blend_blue_0 : vec4<f32>,
@@ -28,6 +29,8 @@ struct ScatterBlock_std140_0
     @align(16) sphere_axes_0 : vec4<f32>,
     @align(16) transfer_axes_0 : vec4<f32>,
     @align(16) shadow_axes_0 : vec4<f32>,
+    @align(16) classic_axes_0 : vec4<f32>,
+    @align(16) classic_shadow_axes_0 : vec4<f32>,
     @align(16) normal_sigmas_mm_0 : vec2<f32>,
 };
 
@@ -69,36 +72,48 @@ fn echo_ScatterBlock()
     echoed_0[i32(5)] = scatter_block_0.rms_radius_mm_0.y;
     echoed_0[i32(6)] = scatter_block_0.rms_radius_mm_0.z;
     echoed_0[i32(7)] = scatter_block_0.rms_radius_mm_0.w;
-    echoed_0[i32(8)] = scatter_block_0.blend_red_0.x;
-    echoed_0[i32(9)] = scatter_block_0.blend_red_0.y;
-    echoed_0[i32(10)] = scatter_block_0.blend_red_0.z;
-    echoed_0[i32(11)] = scatter_block_0.blend_red_0.w;
-    echoed_0[i32(12)] = scatter_block_0.blend_green_0.x;
-    echoed_0[i32(13)] = scatter_block_0.blend_green_0.y;
-    echoed_0[i32(14)] = scatter_block_0.blend_green_0.z;
-    echoed_0[i32(15)] = scatter_block_0.blend_green_0.w;
-    echoed_0[i32(16)] = scatter_block_0.blend_blue_0.x;
-    echoed_0[i32(17)] = scatter_block_0.blend_blue_0.y;
-    echoed_0[i32(18)] = scatter_block_0.blend_blue_0.z;
-    echoed_0[i32(19)] = scatter_block_0.blend_blue_0.w;
-    echoed_0[i32(20)] = scatter_block_0.ring_axes_0.x;
-    echoed_0[i32(21)] = scatter_block_0.ring_axes_0.y;
-    echoed_0[i32(22)] = scatter_block_0.ring_axes_0.z;
-    echoed_0[i32(23)] = scatter_block_0.ring_axes_0.w;
-    echoed_0[i32(24)] = scatter_block_0.sphere_axes_0.x;
-    echoed_0[i32(25)] = scatter_block_0.sphere_axes_0.y;
-    echoed_0[i32(26)] = scatter_block_0.sphere_axes_0.z;
-    echoed_0[i32(27)] = scatter_block_0.sphere_axes_0.w;
-    echoed_0[i32(28)] = scatter_block_0.transfer_axes_0.x;
-    echoed_0[i32(29)] = scatter_block_0.transfer_axes_0.y;
-    echoed_0[i32(30)] = scatter_block_0.transfer_axes_0.z;
-    echoed_0[i32(31)] = scatter_block_0.transfer_axes_0.w;
-    echoed_0[i32(32)] = scatter_block_0.shadow_axes_0.x;
-    echoed_0[i32(33)] = scatter_block_0.shadow_axes_0.y;
-    echoed_0[i32(34)] = scatter_block_0.shadow_axes_0.z;
-    echoed_0[i32(35)] = scatter_block_0.shadow_axes_0.w;
-    echoed_0[i32(36)] = scatter_block_0.normal_sigmas_mm_0.x;
-    echoed_0[i32(37)] = scatter_block_0.normal_sigmas_mm_0.y;
+    echoed_0[i32(8)] = scatter_block_0.sigma_per_mm_0.x;
+    echoed_0[i32(9)] = scatter_block_0.sigma_per_mm_0.y;
+    echoed_0[i32(10)] = scatter_block_0.sigma_per_mm_0.z;
+    echoed_0[i32(11)] = scatter_block_0.sigma_per_mm_0.w;
+    echoed_0[i32(12)] = scatter_block_0.blend_red_0.x;
+    echoed_0[i32(13)] = scatter_block_0.blend_red_0.y;
+    echoed_0[i32(14)] = scatter_block_0.blend_red_0.z;
+    echoed_0[i32(15)] = scatter_block_0.blend_red_0.w;
+    echoed_0[i32(16)] = scatter_block_0.blend_green_0.x;
+    echoed_0[i32(17)] = scatter_block_0.blend_green_0.y;
+    echoed_0[i32(18)] = scatter_block_0.blend_green_0.z;
+    echoed_0[i32(19)] = scatter_block_0.blend_green_0.w;
+    echoed_0[i32(20)] = scatter_block_0.blend_blue_0.x;
+    echoed_0[i32(21)] = scatter_block_0.blend_blue_0.y;
+    echoed_0[i32(22)] = scatter_block_0.blend_blue_0.z;
+    echoed_0[i32(23)] = scatter_block_0.blend_blue_0.w;
+    echoed_0[i32(24)] = scatter_block_0.ring_axes_0.x;
+    echoed_0[i32(25)] = scatter_block_0.ring_axes_0.y;
+    echoed_0[i32(26)] = scatter_block_0.ring_axes_0.z;
+    echoed_0[i32(27)] = scatter_block_0.ring_axes_0.w;
+    echoed_0[i32(28)] = scatter_block_0.sphere_axes_0.x;
+    echoed_0[i32(29)] = scatter_block_0.sphere_axes_0.y;
+    echoed_0[i32(30)] = scatter_block_0.sphere_axes_0.z;
+    echoed_0[i32(31)] = scatter_block_0.sphere_axes_0.w;
+    echoed_0[i32(32)] = scatter_block_0.transfer_axes_0.x;
+    echoed_0[i32(33)] = scatter_block_0.transfer_axes_0.y;
+    echoed_0[i32(34)] = scatter_block_0.transfer_axes_0.z;
+    echoed_0[i32(35)] = scatter_block_0.transfer_axes_0.w;
+    echoed_0[i32(36)] = scatter_block_0.shadow_axes_0.x;
+    echoed_0[i32(37)] = scatter_block_0.shadow_axes_0.y;
+    echoed_0[i32(38)] = scatter_block_0.shadow_axes_0.z;
+    echoed_0[i32(39)] = scatter_block_0.shadow_axes_0.w;
+    echoed_0[i32(40)] = scatter_block_0.classic_axes_0.x;
+    echoed_0[i32(41)] = scatter_block_0.classic_axes_0.y;
+    echoed_0[i32(42)] = scatter_block_0.classic_axes_0.z;
+    echoed_0[i32(43)] = scatter_block_0.classic_axes_0.w;
+    echoed_0[i32(44)] = scatter_block_0.classic_shadow_axes_0.x;
+    echoed_0[i32(45)] = scatter_block_0.classic_shadow_axes_0.y;
+    echoed_0[i32(46)] = scatter_block_0.classic_shadow_axes_0.z;
+    echoed_0[i32(47)] = scatter_block_0.classic_shadow_axes_0.w;
+    echoed_0[i32(48)] = scatter_block_0.normal_sigmas_mm_0.x;
+    echoed_0[i32(49)] = scatter_block_0.normal_sigmas_mm_0.y;
     return;
 }
 

@@ -1,0 +1,73 @@
+"""Pictures, mips and tables as textures."""
+
+from __future__ import annotations
+
+import numpy as np
+import wgpu
+from numpy.typing import NDArray
+
+from .._core.arrays import ImageArray
+
+__all__ = ["array_texture", "buffer", "mip_texture", "table_texture"]
+
+USAGE = wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST
+
+
+def buffer(device: wgpu.GPUDevice, data: bytes, usage: int) -> wgpu.GPUBuffer:
+    """Return a buffer with bytes in it that can be written again."""
+    return device.create_buffer_with_data(data=data, usage=usage | wgpu.BufferUsage.COPY_DST)
+
+
+def table_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
+    """Return a table (H, W, 3) as float32 where that can be filtered, else as half floats."""
+    exact = "float32-filterable" in device.features
+    return _texture(device, [_rgba(values)], "rgba32float" if exact else "rgba16float")
+
+
+def mip_texture(device: wgpu.GPUDevice, levels: list[ImageArray]) -> wgpu.GPUTexture:
+    """Return mip levels (h, w, C) as half floats, which every device filters."""
+    return _texture(device, [_rgba(level) for level in levels], "rgba16float")
+
+
+def array_texture(
+    device: wgpu.GPUDevice, layers: NDArray[np.float32], *, filtered: bool
+) -> wgpu.GPUTexture:
+    """Return layers (n, H, W, 3) as filtered half floats, or (n, H, W) as float32."""
+    count, height, width = layers.shape[:3]
+    texels = _rgba(layers) if filtered else layers
+    data = np.ascontiguousarray(texels, dtype=np.float16 if filtered else np.float32)
+    texture = device.create_texture(
+        size=(width, height, count),
+        format="rgba16float" if filtered else "r32float",
+        usage=USAGE,
+    )
+    device.queue.write_texture(
+        {"texture": texture},
+        data,
+        {"bytes_per_row": data.strides[1], "rows_per_image": height},
+        (width, height, count),
+    )
+    return texture
+
+
+def _rgba(values: ImageArray) -> ImageArray:
+    full = np.ones((*values.shape[:-1], 4), dtype=np.float32)
+    full[..., : values.shape[-1]] = values
+    return full
+
+
+def _texture(device: wgpu.GPUDevice, levels: list[ImageArray], kind: str) -> wgpu.GPUTexture:
+    height, width = levels[0].shape[:2]
+    texture = device.create_texture(
+        size=(width, height, 1), format=kind, usage=USAGE, mip_level_count=len(levels)
+    )
+    for number, level in enumerate(levels):
+        data = np.ascontiguousarray(level, dtype=np.float16 if "16" in kind else np.float32)
+        rows, columns = data.shape[:2]
+        device.queue.write_texture(
+            {"texture": texture, "mip_level": number},
+            data,
+            {"bytes_per_row": data.strides[0], "rows_per_image": rows},
+            (columns, rows, 1),
+        )
+    return texture

@@ -1,0 +1,1084 @@
+struct Frame_std430_0
+{
+    @align(16) clip_x_0 : vec4<f32>,
+    @align(16) clip_y_0 : vec4<f32>,
+    @align(16) clip_z_0 : vec4<f32>,
+    @align(16) clip_w_0 : vec4<f32>,
+    @align(16) eye_0 : vec4<f32>,
+    @align(16) radiance_sh_0 : array<vec4<f32>, i32(9)>,
+    @align(16) uv_scale_mm_0 : vec4<f32>,
+    @align(16) tables_0 : vec4<f32>,
+};
+
+@binding(2) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+
+@binding(14) @group(0) var specular_map_0 : texture_2d<f32>;
+
+@binding(16) @group(0) var map_sampler_0 : sampler;
+
+struct SkinBlock_std140_0
+{
+    @align(16) deep_scatter_sigma_per_mm_0 : vec4<f32>,
+    @align(16) deep_scatter_tint_0 : vec4<f32>,
+    @align(16) scatter_scale_0 : f32,
+    @align(4) normal_strength_0 : f32,
+    @align(8) gloss_0 : f32,
+    @align(4) reflectance_0 : f32,
+    @align(16) shadow_filter_width_mm_0 : f32,
+    @align(4) shadow_sharpening_0 : f32,
+    @align(8) deep_scatter_strength_0 : f32,
+    @align(4) deep_scatter_offset_mm_0 : f32,
+    @align(16) deep_scatter_filter_mm_0 : f32,
+    @align(4) classic_deep_scatter_radius_mm_0 : f32,
+};
+
+@binding(0) @group(0) var<uniform> skin_block_0 : SkinBlock_std140_0;
+@binding(12) @group(0) var albedo_map_0 : texture_2d<f32>;
+
+@binding(15) @group(0) var tint_map_0 : texture_2d<f32>;
+
+@binding(13) @group(0) var normal_map_0 : texture_2d<f32>;
+
+struct ScatterBlock_std140_0
+{
+    @align(16) albedo_0 : vec4<f32>,
+    @align(16) rms_radius_mm_0 : vec4<f32>,
+    @align(16) sigma_per_mm_0 : vec4<f32>,
+    @align(16) blend_red_0 : vec4<f32>,
+    @align(16) blend_green_0 : vec4<f32>,
+    @align(16) blend_blue_0 : vec4<f32>,
+    @align(16) ring_axes_0 : vec4<f32>,
+    @align(16) sphere_axes_0 : vec4<f32>,
+    @align(16) transfer_axes_0 : vec4<f32>,
+    @align(16) shadow_axes_0 : vec4<f32>,
+    @align(16) classic_axes_0 : vec4<f32>,
+    @align(16) classic_shadow_axes_0 : vec4<f32>,
+    @align(16) normal_sigmas_mm_0 : vec2<f32>,
+};
+
+@binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
+struct Light_std430_0
+{
+    @align(16) view_x_0 : vec4<f32>,
+    @align(16) view_y_0 : vec4<f32>,
+    @align(16) view_z_0 : vec4<f32>,
+    @align(16) clip_x_1 : vec4<f32>,
+    @align(16) clip_y_1 : vec4<f32>,
+    @align(16) clip_w_1 : vec4<f32>,
+    @align(16) place_0 : vec4<f32>,
+    @align(16) axis_0 : vec4<f32>,
+    @align(16) cone_0 : vec4<f32>,
+    @align(16) irradiance_0 : vec4<f32>,
+};
+
+@binding(3) @group(0) var<storage, read> lights_0 : array<Light_std430_0>;
+
+@binding(4) @group(0) var<storage, read> taps_0 : array<vec2<f32>>;
+
+@binding(19) @group(0) var depths_0 : texture_2d_array<f32>;
+
+@binding(9) @group(0) var classic_table_0 : texture_2d<f32>;
+
+@binding(11) @group(0) var table_sampler_0 : sampler;
+
+@binding(10) @group(0) var classic_shadow_table_0 : texture_2d<f32>;
+
+@binding(6) @group(0) var sphere_0 : texture_2d<f32>;
+
+@binding(5) @group(0) var ring_0 : texture_2d<f32>;
+
+@binding(7) @group(0) var transfer_0 : texture_2d<f32>;
+
+@binding(8) @group(0) var shadow_table_0 : texture_2d<f32>;
+
+@binding(17) @group(0) var preconvolved_0 : texture_2d_array<f32>;
+
+@binding(18) @group(0) var sky_sampler_0 : sampler;
+
+@id(2) override VIEW_0 : i32 = i32(0);
+
+@id(0) override SHADING_0 : i32 = i32(2);
+
+@id(5) override ENVIRONMENT_0 : i32 = i32(1);
+
+@id(1) override TIER_0 : i32 = i32(2);
+
+fn rsqrt_0( x_0 : f32) -> f32
+{
+    return 1.0f / sqrt(x_0);
+}
+
+@id(3) override TAPS_0 : i32 = i32(8);
+
+@id(4) override LIGHTS_0 : i32 = i32(1);
+
+struct Fragment_0
+{
+    @builtin(position) clip_0 : vec4<f32>,
+    @location(0) a_0 : vec4<f32>,
+    @location(1) b_0 : vec4<f32>,
+    @location(2) c_0 : vec4<f32>,
+    @location(3) d_0 : vec4<f32>,
+    @location(4) e_0 : vec4<f32>,
+    @location(5) f_0 : vec4<f32>,
+    @location(6) g_0 : vec4<f32>,
+    @location(7) h_0 : vec4<f32>,
+    @location(8) i_0 : vec4<f32>,
+    @location(9) j_0 : vec4<f32>,
+};
+
+struct vertexInput_0
+{
+    @location(0) a_1 : vec4<f32>,
+    @location(1) b_1 : vec4<f32>,
+    @location(2) c_1 : vec4<f32>,
+    @location(3) d_1 : vec4<f32>,
+    @location(4) e_1 : vec4<f32>,
+    @location(5) f_1 : vec4<f32>,
+    @location(6) g_1 : vec4<f32>,
+    @location(7) h_1 : vec4<f32>,
+    @location(8) i_1 : vec4<f32>,
+    @location(9) j_1 : vec4<f32>,
+};
+
+@vertex
+fn vertex_main( _S1 : vertexInput_0) -> Fragment_0
+{
+    var p_0 : vec4<f32> = vec4<f32>(_S1.a_1.xyz, 1.0f);
+    var o_0 : Fragment_0;
+    o_0.clip_0 = vec4<f32>(dot(frames_0[i32(0)].clip_x_0, p_0), dot(frames_0[i32(0)].clip_y_0, p_0), dot(frames_0[i32(0)].clip_z_0, p_0), dot(frames_0[i32(0)].clip_w_0, p_0));
+    o_0.a_0 = _S1.a_1;
+    o_0.b_0 = _S1.b_1;
+    o_0.c_0 = _S1.c_1;
+    o_0.d_0 = _S1.d_1;
+    o_0.e_0 = _S1.e_1;
+    o_0.f_0 = _S1.f_1;
+    o_0.g_0 = _S1.g_1;
+    o_0.h_0 = _S1.h_1;
+    o_0.i_0 = _S1.i_1;
+    o_0.j_0 = _S1.j_1;
+    return o_0;
+}
+
+fn skin_safe_length_0( v_0 : vec3<f32>) -> f32
+{
+    return sqrt(max(dot(v_0, v_0), 1.00000004581370497e-18f));
+}
+
+fn skin_unit_vectors_0( v_1 : vec3<f32>) -> vec3<f32>
+{
+    return v_1 / vec3<f32>(skin_safe_length_0(v_1));
+}
+
+fn map_size_0( map_0 : texture_2d<f32>) -> vec2<f32>
+{
+    var width_0 : u32;
+    var height_0 : u32;
+    {var dim = textureDimensions((map_0));((width_0)) = dim.x;((height_0)) = dim.y;};
+    return vec2<f32>(f32(width_0), f32(height_0));
+}
+
+fn map_level_0( size_0 : vec2<f32>,  along_x_0 : vec2<f32>,  along_y_0 : vec2<f32>) -> f32
+{
+    var _S2 : vec2<f32> = along_x_0 * size_0;
+    var x_1 : f32 = dot(_S2, _S2);
+    var _S3 : vec2<f32> = along_y_0 * size_0;
+    var y_0 : f32 = dot(_S3, _S3);
+    return max(0.5f * log2(max(max(min(x_1, y_0), max(x_1, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
+}
+
+fn skin_blur_level_0( sigma_mm_0 : f32,  uv_scale_mm_1 : f32,  map_size_1 : f32,  hardware_level_0 : f32) -> f32
+{
+    return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_1 / uv_scale_mm_1, 1.0f)));
+}
+
+fn skin_specular_power_0( gloss_1 : f32) -> f32
+{
+    return exp2(13.0f * gloss_1);
+}
+
+fn skin_gloss_of_relief_0( gloss_2 : f32,  normal_length_0 : f32) -> f32
+{
+    var l_0 : f32 = clamp(normal_length_0, 0.00100000004749745f, 1.0f);
+    var power_0 : f32 = skin_specular_power_0(gloss_2);
+    return log2(max(l_0 * power_0 / (l_0 + power_0 * (1.0f - l_0)), 1.0f)) / 13.0f;
+}
+
+struct Surface_0
+{
+     position_0 : vec3<f32>,
+     view_0 : vec3<f32>,
+     mesh_normal_0 : vec3<f32>,
+     sharp_0 : vec3<f32>,
+     blurred_0 : vec3<f32>,
+     fetched_0 : mat3x3<f32>,
+     tensor_0 : mat3x3<f32>,
+     diffused_0 : mat3x3<f32>,
+     curvature_per_mm_0 : f32,
+     gloss_3 : f32,
+     reflectance_1 : f32,
+     albedo_1 : vec3<f32>,
+     tint_0 : vec3<f32>,
+     diffused_curvature_per_mm_0 : vec3<f32>,
+     visibility_0 : vec3<f32>,
+     through_0 : vec3<f32>,
+     bounced_0 : vec3<f32>,
+};
+
+fn surface_of_0( o_1 : Fragment_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32>) -> Surface_0
+{
+    var s_0 : Surface_0;
+    var _S4 : vec3<f32> = o_1.a_0.xyz;
+    s_0.position_0 = _S4;
+    s_0.view_0 = skin_unit_vectors_0(frames_0[i32(0)].eye_0.xyz - _S4);
+    var interpolated_0 : vec3<f32> = vec3<f32>(o_1.a_0.w, o_1.b_0.xy);
+    var _S5 : f32 = max(skin_safe_length_0(interpolated_0), 0.00100000004749745f);
+    var normal_0 : vec3<f32> = skin_unit_vectors_0(interpolated_0);
+    s_0.mesh_normal_0 = normal_0;
+    s_0.curvature_per_mm_0 = o_1.d_0.x;
+    s_0.tensor_0 = mat3x3<f32>(o_1.d_0.yzw, vec3<f32>(o_1.d_0.z, o_1.e_0.xy), vec3<f32>(o_1.d_0.w, o_1.e_0.yz));
+    s_0.diffused_0 = mat3x3<f32>(vec3<f32>(o_1.e_0.w, o_1.f_0.xy), vec3<f32>(o_1.f_0.zw, o_1.g_0.x), o_1.g_0.yzw) * (1.0f / _S5);
+    s_0.diffused_curvature_per_mm_0 = o_1.h_0.xyz;
+    s_0.visibility_0 = vec3<f32>(o_1.h_0.w, o_1.i_0.xy);
+    s_0.through_0 = vec3<f32>(o_1.i_0.zw, o_1.j_0.x);
+    s_0.bounced_0 = o_1.j_0.yzw;
+    var uv_0 : vec2<f32> = o_1.c_0.zw;
+    var coat_0 : vec4<f32> = (textureSampleLevel((specular_map_0), (map_sampler_0), (uv_0), (map_level_0(map_size_0(specular_map_0), along_x_1, along_y_1))));
+    s_0.reflectance_1 = skin_block_0.reflectance_0 * coat_0.x;
+    s_0.gloss_3 = coat_0.y;
+    s_0.albedo_1 = (textureSampleLevel((albedo_map_0), (map_sampler_0), (uv_0), (map_level_0(map_size_0(albedo_map_0), along_x_1, along_y_1)))).xyz;
+    s_0.tint_0 = (textureSampleLevel((tint_map_0), (map_sampler_0), (uv_0), (map_level_0(map_size_0(tint_map_0), along_x_1, along_y_1)))).xyz;
+    s_0.fetched_0 = mat3x3<f32>(normal_0, normal_0, normal_0);
+    if((frames_0[i32(0)].tables_0.x) > 0.5f)
+    {
+        var tangent_0 : vec3<f32> = vec3<f32>(o_1.b_0.zw, o_1.c_0.x);
+        var tangent_1 : vec3<f32> = skin_unit_vectors_0(tangent_0 - normal_0 * vec3<f32>(dot(tangent_0, normal_0)));
+        var _S6 : vec3<f32> = cross(normal_0, tangent_1) * vec3<f32>(f32((i32(sign((o_1.c_0.y))))));
+        var size_1 : vec2<f32> = map_size_0(normal_map_0);
+        var level_0 : f32 = map_level_0(size_1, along_x_1, along_y_1);
+        var _S7 : f32 = max(size_1.x, size_1.y);
+        var scale_0 : f32 = frames_0[i32(0)].uv_scale_mm_0.x;
+        var _S8 : vec3<f32> = vec3<f32>(level_0, skin_blur_level_0(scatter_block_0.normal_sigmas_mm_0.x, scale_0, _S7, level_0), skin_blur_level_0(scatter_block_0.normal_sigmas_mm_0.y, scale_0, _S7, level_0));
+        var fetch_0 : i32 = i32(0);
+        for(;;)
+        {
+            if(fetch_0 < i32(3))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var t_0 : vec3<f32> = (textureSampleLevel((normal_map_0), (map_sampler_0), (uv_0), (_S8[fetch_0]))).xyz;
+            s_0.fetched_0[fetch_0] = tangent_1 * vec3<f32>(t_0.x) + _S6 * vec3<f32>(t_0.y) + normal_0 * vec3<f32>(t_0.z);
+            fetch_0 = fetch_0 + i32(1);
+        }
+    }
+    s_0.sharp_0 = skin_unit_vectors_0(s_0.fetched_0[i32(0)]);
+    s_0.blurred_0 = skin_unit_vectors_0(s_0.fetched_0[i32(2)]);
+    s_0.gloss_3 = skin_gloss_of_relief_0(s_0.gloss_3, skin_safe_length_0(s_0.fetched_0[i32(0)]));
+    return s_0;
+}
+
+fn skin_linear_curve_0( x_2 : f32) -> f32
+{
+    var _S9 : f32;
+    if(x_2 <= 0.04044999927282333f)
+    {
+        _S9 = x_2 / 12.92000007629394531f;
+    }
+    else
+    {
+        _S9 = pow((x_2 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+    }
+    return _S9;
+}
+
+fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
+{
+    var x_3 : vec3<f32> = saturate(display_0);
+    return vec3<f32>(skin_linear_curve_0(x_3.x), skin_linear_curve_0(x_3.y), skin_linear_curve_0(x_3.z));
+}
+
+fn curvature_colour_0( curvature_per_mm_1 : f32) -> vec3<f32>
+{
+    var share_0 : f32 = clamp(curvature_per_mm_1 / 0.20000000298023224f, -1.0f, 1.0f);
+    var end_0 : vec3<f32>;
+    if(share_0 > 0.0f)
+    {
+        end_0 = vec3<f32>(0.85000002384185791f, 0.20000000298023224f, 0.10000000149011612f);
+    }
+    else
+    {
+        end_0 = vec3<f32>(0.10000000149011612f, 0.30000001192092896f, 0.85000002384185791f);
+    }
+    var _S10 : vec3<f32> = vec3<f32>(0.92000001668930054f);
+    return skin_linear_from_srgb_0(_S10 + (end_0 - _S10) * vec3<f32>(sqrt(abs(share_0))));
+}
+
+fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(blurred_1, skin_unit_vectors_0(mix(sharp_1, blurred_1, vec3<f32>(0.30000001192092896f))), sharp_1);
+}
+
+fn blend_weights_0() -> mat3x3<f32>
+{
+    return mat3x3<f32>(scatter_block_0.blend_red_0.xyz, scatter_block_0.blend_green_0.xyz, scatter_block_0.blend_blue_0.xyz);
+}
+
+fn skin_weighted_0( rows_0 : mat3x3<f32>,  weights_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(weights_0.x) * rows_0[i32(0)] + vec3<f32>(weights_0.y) * rows_0[i32(1)] + vec3<f32>(weights_0.z) * rows_0[i32(2)];
+}
+
+fn skin_blend_normals_0( fetched_1 : mat3x3<f32>,  blend_0 : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_weighted_0(fetched_1, blend_0[i32(0)]), skin_weighted_0(fetched_1, blend_0[i32(1)]), skin_weighted_0(fetched_1, blend_0[i32(2)]));
+}
+
+fn skin_energy_gain_0( albedo_2 : vec3<f32>,  rms_radius_mm_1 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
+{
+    var _S11 : vec3<f32> = vec3<f32>(1.0f);
+    var absorbed_0 : vec3<f32> = _S11 - albedo_2;
+    var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm_1 * max(curvature_per_mm_2, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = u_0 * albedo_2 / absorbed_0;
+    return _S11 + u_0 / sqrt(_S11 + bound_0 * bound_0);
+}
+
+fn depth_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> f32
+{
+    var inside_0 : bool;
+    if((all((at_0 >= vec2<f32>(0.0f)))))
+    {
+        inside_0 = (all((at_0 <= vec2<f32>(1023.0f))));
+    }
+    else
+    {
+        inside_0 = false;
+    }
+    var _S12 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_0, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_0, i32(0));
+    var found_0 : f32 = (textureLoad((depths_0), ((_S12)).xy, i32(((_S12)).z), ((_S12)).w).x);
+    var _S13 : f32;
+    if(inside_0)
+    {
+        _S13 = found_0;
+    }
+    else
+    {
+        _S13 = 1.00000001504746622e+30f;
+    }
+    return _S13;
+}
+
+fn compared_0( at_1 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
+{
+    var _S14 : vec2<f32> = at_1 - vec2<f32>(0.5f);
+    var corner_0 : vec2<f32> = floor(_S14);
+    var f_2 : vec2<f32> = _S14 - corner_0;
+    var a_2 : f32;
+    if((depth_at_0(corner_0, layer_1)) >= depth_0)
+    {
+        a_2 = 1.0f;
+    }
+    else
+    {
+        a_2 = 0.0f;
+    }
+    var b_2 : f32;
+    if((depth_at_0(corner_0 + vec2<f32>(1.0f, 0.0f), layer_1)) >= depth_0)
+    {
+        b_2 = 1.0f;
+    }
+    else
+    {
+        b_2 = 0.0f;
+    }
+    var c_2 : f32;
+    if((depth_at_0(corner_0 + vec2<f32>(0.0f, 1.0f), layer_1)) >= depth_0)
+    {
+        c_2 = 1.0f;
+    }
+    else
+    {
+        c_2 = 0.0f;
+    }
+    var d_2 : f32;
+    if((depth_at_0(corner_0 + vec2<f32>(1.0f, 1.0f), layer_1)) >= depth_0)
+    {
+        d_2 = 1.0f;
+    }
+    else
+    {
+        d_2 = 0.0f;
+    }
+    var _S15 : f32 = f_2.x;
+    return mix(mix(a_2, b_2, _S15), mix(c_2, d_2, _S15), f_2.y);
+}
+
+fn skin_inward_offset_0( position_mm_0 : vec3<f32>,  normal_1 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+{
+    return position_mm_0 - normal_1 * vec3<f32>(offset_mm_0);
+}
+
+struct Incident_0
+{
+     to_light_0 : vec3<f32>,
+     radiance_0 : vec3<f32>,
+     shadow_filter_0 : f32,
+     thickness_mm_0 : f32,
+};
+
+fn place_in_map_0( _S16 : i32,  _S17 : vec3<f32>) -> vec4<f32>
+{
+    var p_1 : vec4<f32> = vec4<f32>(_S17, 1.0f);
+    var _S18 : f32 = dot(lights_0[_S16].view_z_0, p_1);
+    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S16].view_x_0, p_1), dot(lights_0[_S16].view_y_0, p_1), _S18, 1.0f);
+    var w_0 : f32 = dot(lights_0[_S16].clip_w_1, seen_0);
+    var w_1 : f32;
+    if((abs(w_0)) < 9.99999971718068537e-10f)
+    {
+        w_1 = 9.99999971718068537e-10f;
+    }
+    else
+    {
+        w_1 = w_0;
+    }
+    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S16].clip_x_1, seen_0), dot(lights_0[_S16].clip_y_1, seen_0)) / vec2<f32>(w_1);
+    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S18, abs(w_1) * 2.0f / (lights_0[_S16].clip_x_1.x * 1024.0f));
+}
+
+fn wide_filter_0( _S19 : i32,  _S20 : i32,  _S21 : Surface_0,  _S22 : vec3<f32>) -> f32
+{
+    var cosine_0 : f32 = dot(_S21.mesh_normal_0, _S22);
+    var _S23 : f32 = max(- cosine_0, 0.0f);
+    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S21.mesh_normal_0 + _S22 * vec3<f32>(_S23));
+    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S19].view_x_0.xyz, upright_0), - dot(lights_0[_S19].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S19].view_z_0.xyz, upright_0), 0.00100000004749745f));
+    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S21.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
+    var _S24 : vec4<f32> = place_in_map_0(_S19, _S21.position_0 + skin_unit_vectors_0(_S22 - _S21.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S23 / max(_S21.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
+    var _S25 : f32 = _S24.w;
+    var _S26 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S25, 1024.0f);
+    var tap_0 : i32 = i32(0);
+    var total_0 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_0 < i32(48))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S26);
+        var total_1 : f32 = total_0 + compared_0(_S24.xy + across_0, _S24.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S25), across_0), _S20);
+        tap_0 = tap_0 + i32(1);
+        total_0 = total_1;
+    }
+    return total_0 / 48.0f;
+}
+
+fn thickness_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0) -> f32
+{
+    var _S30 : vec4<f32> = place_in_map_0(_S27, skin_inward_offset_0(_S29.position_0, _S29.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
+    var _S31 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S30.w;
+    var tap_1 : i32 = i32(0);
+    var total_2 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_1 < TAPS_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var found_1 : f32 = depth_at_0(floor(_S30.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S31)), _S28);
+        var _S32 : f32;
+        if(found_1 < 1.00000001504746622e+30f)
+        {
+            _S32 = max(_S30.z - found_1, 0.0f);
+        }
+        else
+        {
+            _S32 = 0.0f;
+        }
+        var total_3 : f32 = total_2 + _S32;
+        tap_1 = tap_1 + i32(1);
+        total_2 = total_3;
+    }
+    return total_2 / f32(max(TAPS_0, i32(1)));
+}
+
+fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
+{
+    var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
+    var found_2 : Incident_0;
+    var _S33 : vec3<f32> = lights_0[index_0].place_0.xyz;
+    found_2.to_light_0 = _S33;
+    var irradiance_2 : vec3<f32>;
+    if((lights_0[index_0].place_0.w) > 0.5f)
+    {
+        var away_0 : vec3<f32> = _S33 - s_1.position_0;
+        var _S34 : vec3<f32> = skin_unit_vectors_0(away_0);
+        found_2.to_light_0 = _S34;
+        var _S35 : f32 = lights_0[index_0].cone_0.x;
+        var t_1 : f32 = saturate((dot(_S34, lights_0[index_0].axis_0.xyz) - _S35) / (lights_0[index_0].cone_0.y - _S35));
+        irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].axis_0.w / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
+    }
+    else
+    {
+        irradiance_2 = irradiance_1;
+    }
+    found_2.radiance_0 = irradiance_2 / vec3<f32>(3.14159274101257324f);
+    var cosine_1 : f32 = dot(s_1.mesh_normal_0, found_2.to_light_0);
+    found_2.shadow_filter_0 = 0.0f;
+    if(cosine_1 > -0.60000002384185791f)
+    {
+        found_2.shadow_filter_0 = wide_filter_0(index_0, i32(2) * index_0, s_1, found_2.to_light_0);
+    }
+    found_2.thickness_mm_0 = 1000.0f;
+    var _S36 : bool;
+    if(TAPS_0 > i32(0))
+    {
+        _S36 = cosine_1 < 0.5f;
+    }
+    else
+    {
+        _S36 = false;
+    }
+    if(_S36)
+    {
+        found_2.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_1);
+    }
+    return found_2;
+}
+
+fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_0 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
+{
+    var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
+    var _S37 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S37 * n_dot_l_0) * (k_0 + _S37 * n_dot_v_0)));
+}
+
+fn skin_specular_0( normal_2 : vec3<f32>,  view_1 : vec3<f32>,  light_0 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
+{
+    var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_1 + light_0);
+    var n_dot_l_1 : f32 = saturate(dot(normal_2, light_0));
+    var n_dot_v_1 : f32 = clamp(dot(normal_2, view_1), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_2, half_vector_0));
+    var wide_0 : f32 = skin_specular_power_0(gloss_4);
+    var away_1 : f32 = 1.0f - saturate(dot(view_1, half_vector_0));
+    var away2_0 : f32 = away_1 * away_1;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_1, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_1, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * away2_0 * away2_0 * away_1) * n_dot_l_1;
+}
+
+fn skin_smoothstep_0( p_2 : f32) -> f32
+{
+    var q_0 : f32 = saturate(p_2);
+    return q_0 * q_0 * (3.0f - 2.0f * q_0);
+}
+
+fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
+{
+    return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
+}
+
+fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_0 : sampler,  lut_axes_0 : vec4<f32>,  sharp_2 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+{
+    var blurred_cosine_0 : f32 = dot(blurred_2, light_1);
+    var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_2 : f32 = k_1 * k_1;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_2, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_1), dot(skin_unit_vectors_0(mix(sharp_2, blurred_2, vec3<f32>(k_2))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_0), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+}
+
+fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_2 : f32,  n_dot_l_2 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(shadow_filter_2, max(n_dot_l_2, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_1.xz) * lut_axes_1.yw)), (0.0f))).xyz;
+}
+
+fn skin_classic_sharpened_shadow_0( shadow_filter_3 : f32,  sharpening_1 : f32) -> f32
+{
+    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_3 - 0.5f) + 0.5f);
+}
+
+fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
+{
+    var t_2 : f32 = thickness_mm_1 / radius_mm_0;
+    return exp(-0.5f * t_2 * t_2);
+}
+
+fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_3 : f32,  radius_mm_1 : f32,  strength_0 : f32) -> f32
+{
+    return strength_0 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_1) * max(0.30000001192092896f - n_dot_l_3, 0.0f);
+}
+
+fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(skin_safe_length_0(normals_0[i32(0)]), skin_safe_length_0(normals_0[i32(1)]), skin_safe_length_0(normals_0[i32(2)]));
+}
+
+fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
+{
+    return clamp(vec3<f32>(dot(normals_1[i32(0)], light_2), dot(normals_1[i32(1)], light_2), dot(normals_1[i32(2)], light_2)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
+}
+
+fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
+{
+    var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
+    var _S38 : vec2<f32> = lut_axes_2.xz;
+    var _S39 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S38) * _S39)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S38) * _S39)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S38) * _S39)), (0.0f))).xyz.z);
+}
+
+fn skin_relief_bump_0( m_0 : f32,  s_2 : f32) -> f32
+{
+    var _S40 : f32 = max(s_2, 9.99999971718068537e-10f);
+    var _S41 : f32 = min(abs(m_0) / _S40, 8.0f);
+    return _S40 * (0.39894229173660278f * exp(-0.5f * _S41 * _S41)) / (1.0f + _S41 * (1.25119507312774658f + _S41 * (0.58454132080078125f + _S41 * 0.06752368807792664f)));
+}
+
+fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
+{
+    var _S42 : vec3<f32> = vec3<f32>(0.0f);
+    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S42));
+    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S42));
+    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z * sine_0.z));
+}
+
+fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_3 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_2 : vec3<f32> = skin_lengths_0(normals_2);
+    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_2, light_3, lengths_2);
+    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_3, lut_axes_3, cos_theta_2, abs(curvature_per_mm_5)) + skin_lost_relief_0(lengths_2, cos_theta_2));
+}
+
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_3 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+{
+    var tangential_0 : vec3<f32> = light_4 - normal_3 * vec3<f32>(dot(light_4, normal_3));
+    var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
+    var total_4 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
+    return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_4), total_4);
+}
+
+fn skin_transfer_0( transfer_1 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((transfer_1), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
+}
+
+fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_4 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_3 : vec3<f32> = skin_lengths_0(normals_3);
+    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_3, light_5, lengths_3);
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_4, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_2, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
+}
+
+fn skin_displaced_0( from_texture_0 : vec3<f32>,  from_mesh_0 : vec3<f32>,  mesh_normal_1 : vec3<f32>) -> vec3<f32>
+{
+    return from_texture_0 + vec3<f32>(skin_safe_length_0(from_texture_0)) * (from_mesh_0 - mesh_normal_1);
+}
+
+fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x3<f32>,  mesh_normal_2 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_displaced_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_2));
+}
+
+fn skin_unexplained_length_0( transfer_3 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_1 : f32) -> vec3<f32>
+{
+    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_3, transfer_sampler_2, transfer_axes_3, total_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
+}
+
+fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_5 : vec4<f32>,  transfer_4 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_4 : vec4<f32>,  normals_4 : mat3x3<f32>,  relief_length_0 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_4 : vec3<f32> = skin_lengths_0(normals_4);
+    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_4, light_6, lengths_4);
+    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_5, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_4, transfer_sampler_3, transfer_axes_4, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_0, cos_theta_4));
+}
+
+fn diffused_light_0( s_3 : Surface_0,  seen_1 : mat3x3<f32>,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
+{
+    if(TIER_0 == i32(0))
+    {
+        return skin_direct_scalar_0(sphere_0, table_sampler_0, scatter_block_0.sphere_axes_0, seen_1, to_light_1, s_3.curvature_per_mm_0, gain_3);
+    }
+    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_3.tensor_0, s_3.mesh_normal_0, to_light_1);
+    if(TIER_0 == i32(1))
+    {
+        return skin_direct_tensor_0(ring_0, table_sampler_0, scatter_block_0.ring_axes_0, transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, seen_1, to_light_1, bends_0.x, bends_0.y, gain_3);
+    }
+    return skin_direct_diffused_normals_0(ring_0, table_sampler_0, scatter_block_0.ring_axes_0, transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, skin_add_mesh_diffusion_0(seen_1, s_3.diffused_0, s_3.mesh_normal_0), skin_unexplained_length_0(transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, seen_1, s_3.diffused_0, bends_0.y), to_light_1, bends_0.x, gain_3);
+}
+
+fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo_3 * albedo_3;
+    var _S43 : vec3<f32> = vec3<f32>(1.0f);
+    var _S44 : vec3<f32> = vec3<f32>(2.0f);
+    var _S45 : vec3<f32> = _S44 * albedo_3;
+    var a_3 : vec3<f32> = (_S43 + a2_0) / _S45;
+    var b_3 : vec3<f32> = (_S43 - a2_0) / _S45;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
+    return _S44 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+}
+
+fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_4 : f32,  strength_1 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_4, 0.0f));
+}
+
+fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_3 : vec3<f32>) -> vec3<f32>
+{
+    var _S46 : f32 = d_3.y;
+    var _S47 : f32 = d_3.z;
+    var _S48 : f32 = d_3.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S46 + sh_0[i32(0)].z * _S47 + sh_0[i32(1)].x * _S48), 1.09254848957061768f * (sh_0[i32(1)].y * _S48 * _S46 + sh_0[i32(1)].z * _S46 * _S47 + sh_0[i32(2)].y * _S48 * _S47) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S47 * _S47 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S48 * _S48 - _S46 * _S46));
+}
+
+fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+{
+    var l_1 : f32 = skin_safe_length_0(normal_4);
+    return max(dot(skin_sh_bands_0(sh_1, normal_4 / vec3<f32>(l_1)), vec3<f32>(1.0f, l_1, l_1 * l_1 * l_1) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+}
+
+fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_5 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
+{
+    var t_3 : mat3x3<f32> = transpose(band_transfer_1);
+    return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_5[i32(0)], t_3[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_5[i32(1)], t_3[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_5[i32(2)], t_3[i32(2)]));
+}
+
+fn ambient_light_0( s_4 : Surface_0,  seen_2 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
+{
+    var _S49 : vec3<f32> = vec3<f32>(1.0f);
+    var _S50 : mat3x3<f32> = mat3x3<f32>(_S49, _S49, _S49);
+    var bands_0 : mat3x3<f32>;
+    if(SHADING_0 == i32(2))
+    {
+        var kappa_0 : f32 = abs(s_4.curvature_per_mm_0);
+        bands_0 = mat3x3<f32>(gain_4, gain_4 * skin_transfer_0(transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, sqrt(2.0f) * kappa_0), gain_4 * skin_transfer_0(transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, sqrt(6.0f) * kappa_0));
+    }
+    else
+    {
+        bands_0 = _S50;
+    }
+    return skin_ambient_irradiance_0(mat3x3<f32>(frames_0[i32(0)].radiance_sh_0[i32(0)].x, frames_0[i32(0)].radiance_sh_0[i32(1)].x, frames_0[i32(0)].radiance_sh_0[i32(2)].x, frames_0[i32(0)].radiance_sh_0[i32(3)].x, frames_0[i32(0)].radiance_sh_0[i32(4)].x, frames_0[i32(0)].radiance_sh_0[i32(5)].x, frames_0[i32(0)].radiance_sh_0[i32(6)].x, frames_0[i32(0)].radiance_sh_0[i32(7)].x, frames_0[i32(0)].radiance_sh_0[i32(8)].x), mat3x3<f32>(frames_0[i32(0)].radiance_sh_0[i32(0)].y, frames_0[i32(0)].radiance_sh_0[i32(1)].y, frames_0[i32(0)].radiance_sh_0[i32(2)].y, frames_0[i32(0)].radiance_sh_0[i32(3)].y, frames_0[i32(0)].radiance_sh_0[i32(4)].y, frames_0[i32(0)].radiance_sh_0[i32(5)].y, frames_0[i32(0)].radiance_sh_0[i32(6)].y, frames_0[i32(0)].radiance_sh_0[i32(7)].y, frames_0[i32(0)].radiance_sh_0[i32(8)].y), mat3x3<f32>(frames_0[i32(0)].radiance_sh_0[i32(0)].z, frames_0[i32(0)].radiance_sh_0[i32(1)].z, frames_0[i32(0)].radiance_sh_0[i32(2)].z, frames_0[i32(0)].radiance_sh_0[i32(3)].z, frames_0[i32(0)].radiance_sh_0[i32(4)].z, frames_0[i32(0)].radiance_sh_0[i32(5)].z, frames_0[i32(0)].radiance_sh_0[i32(6)].z, frames_0[i32(0)].radiance_sh_0[i32(7)].z, frames_0[i32(0)].radiance_sh_0[i32(8)].z), seen_2, bands_0);
+}
+
+fn skin_specular_visibility_0( n_dot_v_2 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
+{
+    var exponent_0 : f32 = exp2(-16.0f * roughness_0 - 1.0f);
+    var base_0 : f32 = n_dot_v_2 + visibility_1;
+    var open_0 : f32;
+    if(base_0 > 0.0f)
+    {
+        open_0 = pow(base_0, exponent_0);
+    }
+    else
+    {
+        open_0 = 0.0f;
+    }
+    return saturate(open_0 - 1.0f + visibility_1);
+}
+
+fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>((2.0f * dot(normal_5, view_2))) * normal_5 - view_2;
+}
+
+fn reflected_radiance_0( direction_0 : vec3<f32>,  power_2 : f32) -> vec3<f32>
+{
+    var level_1 : f32 = clamp(log2(max(power_2, 1.0f)) / 2.0f, 0.0f, 4.0f);
+    var _S51 : f32 = min(floor(level_1), 3.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(0.5f + atan2(direction_0.z, direction_0.x) / 6.28318548202514648f, acos(clamp(direction_0.y, -1.0f, 1.0f)) / 3.14159274101257324f);
+    var _S52 : vec3<f32> = vec3<f32>(uv_1, _S51);
+    var _S53 : vec3<f32> = vec3<f32>(uv_1, _S51 + 1.0f);
+    return mix((textureSampleLevel((preconvolved_0), (sky_sampler_0), ((_S52)).xy, i32(((_S52)).z), (0.0f))).xyz, (textureSampleLevel((preconvolved_0), (sky_sampler_0), ((_S53)).xy, i32(((_S53)).z), (0.0f))).xyz, vec3<f32>((level_1 - _S51)));
+}
+
+fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_5 : f32,  reflectance_3 : f32) -> f32
+{
+    var away_2 : f32 = 1.0f - saturate(n_dot_v_3);
+    var away2_1 : f32 = away_2 * away_2;
+    return reflectance_3 + (1.0f - reflectance_3) * away2_1 * away2_1 * away_2 / (4.0f - 3.0f * gloss_5);
+}
+
+fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_6 : f32,  reflectance_4 : f32) -> f32
+{
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_6, reflectance_4);
+}
+
+struct pixelOutput_0
+{
+    @location(0) output_0 : vec4<f32>,
+};
+
+struct pixelInput_0
+{
+    @location(0) a_4 : vec4<f32>,
+    @location(1) b_4 : vec4<f32>,
+    @location(2) c_3 : vec4<f32>,
+    @location(3) d_4 : vec4<f32>,
+    @location(4) e_2 : vec4<f32>,
+    @location(5) f_3 : vec4<f32>,
+    @location(6) g_2 : vec4<f32>,
+    @location(7) h_2 : vec4<f32>,
+    @location(8) i_2 : vec4<f32>,
+    @location(9) j_2 : vec4<f32>,
+};
+
+@fragment
+fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+{
+    var direct_0 : vec3<f32>;
+    var specular_0 : vec3<f32>;
+    var direct_1 : vec3<f32>;
+    var specular_1 : vec3<f32>;
+    var deep_0 : vec3<f32>;
+    var _S55 : Fragment_0 = Fragment_0( clip_1, _S54.a_4, _S54.b_4, _S54.c_3, _S54.d_4, _S54.e_2, _S54.f_3, _S54.g_2, _S54.h_2, _S54.i_2, _S54.j_2 );
+    var _S56 : vec2<f32> = _S54.c_3.zw;
+    var _S57 : vec2<f32> = vec2<f32>(frames_0[i32(0)].eye_0.w);
+    var s_5 : Surface_0 = surface_of_0(_S55, dpdx(_S56) * _S57, dpdy(_S56) * _S57);
+    if(VIEW_0 == i32(1))
+    {
+        var _S58 : vec3<f32> = vec3<f32>(0.5f);
+        var _S59 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S58 + _S58 * s_5.sharp_0), 1.0f) );
+        return _S59;
+    }
+    if(VIEW_0 == i32(2))
+    {
+        var _S60 : vec3<f32> = vec3<f32>(0.5f);
+        var _S61 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S60 + _S60 * s_5.blurred_0), 1.0f) );
+        return _S61;
+    }
+    if(VIEW_0 == i32(3))
+    {
+        var _S62 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_5.curvature_per_mm_0), 1.0f) );
+        return _S62;
+    }
+    if(VIEW_0 == i32(6))
+    {
+        var _S63 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_5.albedo_1, 1.0f) );
+        return _S63;
+    }
+    var _S64 : vec3<f32> = s_5.sharp_0;
+    var _S65 : mat3x3<f32> = mat3x3<f32>(_S64, _S64, _S64);
+    var _S66 : vec3<f32> = vec3<f32>(1.0f);
+    var seen_3 : mat3x3<f32>;
+    if(SHADING_0 == i32(1))
+    {
+        seen_3 = skin_classic_ambient_normals_0(s_5.sharp_0, s_5.blurred_0);
+    }
+    else
+    {
+        seen_3 = _S65;
+    }
+    var gain_5 : vec3<f32>;
+    if(SHADING_0 == i32(2))
+    {
+        var _S67 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_5.diffused_curvature_per_mm_0);
+        seen_3 = skin_blend_normals_0(s_5.fetched_0, blend_weights_0());
+        gain_5 = _S67;
+    }
+    else
+    {
+        gain_5 = _S66;
+    }
+    var tint_1 : vec3<f32> = s_5.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
+    var _S68 : vec3<f32> = vec3<f32>(0.0f);
+    var lit_most_0 : f32;
+    if(LIGHTS_0 > i32(0))
+    {
+        lit_most_0 = 0.0f;
+    }
+    else
+    {
+        lit_most_0 = 1.0f;
+    }
+    var _S69 : bool;
+    if(LIGHTS_0 > i32(0))
+    {
+        _S69 = TAPS_0 > i32(0);
+    }
+    else
+    {
+        _S69 = false;
+    }
+    var thinnest_0 : f32;
+    if(_S69)
+    {
+        thinnest_0 = 1.00000001504746622e+30f;
+    }
+    else
+    {
+        thinnest_0 = 0.0f;
+    }
+    var index_1 : i32 = i32(0);
+    var direct_2 : vec3<f32> = _S68;
+    var specular_2 : vec3<f32> = _S68;
+    var deep_1 : vec3<f32> = _S68;
+    for(;;)
+    {
+        if(index_1 < LIGHTS_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var light_7 : Incident_0 = incident_0(index_1, s_5);
+        var _S70 : f32 = max(lit_most_0, light_7.shadow_filter_0);
+        if(TAPS_0 > i32(0))
+        {
+            thinnest_0 = min(thinnest_0, light_7.thickness_mm_0);
+        }
+        var n_dot_l_5 : f32 = dot(s_5.mesh_normal_0, light_7.to_light_0);
+        var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
+        var highlight_0 : f32 = skin_specular_0(s_5.sharp_0, s_5.view_0, light_7.to_light_0, s_5.gloss_3, s_5.reflectance_1);
+        if(SHADING_0 == i32(0))
+        {
+            var _S71 : vec3<f32> = vec3<f32>(skin_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
+            var specular_3 : vec3<f32> = specular_2 + light_7.radiance_0 * vec3<f32>(highlight_0) * _S71;
+            direct_0 = direct_2 + light_7.radiance_0 * vec3<f32>(max(dot(s_5.sharp_0, light_7.to_light_0), 0.0f)) * _S71;
+            specular_0 = specular_3;
+        }
+        else
+        {
+            direct_0 = direct_2;
+            specular_0 = specular_2;
+        }
+        if(SHADING_0 == i32(1))
+        {
+            var direct_3 : vec3<f32> = direct_0 + light_7.radiance_0 * skin_classic_direct_0(classic_table_0, table_sampler_0, scatter_block_0.classic_axes_0, s_5.sharp_0, s_5.blurred_0, light_7.to_light_0, s_5.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_table_0, table_sampler_0, scatter_block_0.classic_shadow_axes_0, light_7.shadow_filter_0, n_dot_l_5, width_1);
+            var specular_4 : vec3<f32> = specular_0 + light_7.radiance_0 * vec3<f32>(highlight_0) * vec3<f32>(skin_classic_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
+            if(TAPS_0 > i32(0))
+            {
+                direct_1 = deep_1 + light_7.radiance_0 * tint_1 * vec3<f32>(skin_classic_deep_scatter_0(light_7.thickness_mm_0, dot(s_5.blurred_0, light_7.to_light_0), skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
+            }
+            else
+            {
+                direct_1 = deep_1;
+            }
+            var _S72 : vec3<f32> = direct_1;
+            direct_1 = direct_3;
+            specular_1 = specular_4;
+            deep_0 = _S72;
+        }
+        else
+        {
+            direct_1 = direct_0;
+            specular_1 = specular_0;
+            deep_0 = deep_1;
+        }
+        if(SHADING_0 == i32(2))
+        {
+            var direct_4 : vec3<f32> = direct_1 + light_7.radiance_0 * diffused_light_0(s_5, seen_3, light_7.to_light_0, gain_5) * skin_diffused_shadow_0(shadow_table_0, table_sampler_0, scatter_block_0.shadow_axes_0, light_7.shadow_filter_0, n_dot_l_5, width_1);
+            var specular_5 : vec3<f32> = specular_1 + light_7.radiance_0 * vec3<f32>(highlight_0) * vec3<f32>(skin_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
+            var deep_2 : vec3<f32>;
+            if(TAPS_0 > i32(0))
+            {
+                deep_2 = deep_0 + light_7.radiance_0 * tint_1 * skin_direct_deep_scatter_0(skin_transmittance_0(light_7.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, dot(s_5.blurred_0, light_7.to_light_0), skin_block_0.deep_scatter_strength_0);
+            }
+            else
+            {
+                deep_2 = deep_0;
+            }
+            direct_2 = direct_4;
+            specular_2 = specular_5;
+            deep_1 = deep_2;
+        }
+        else
+        {
+            direct_2 = direct_1;
+            specular_2 = specular_1;
+            deep_1 = deep_0;
+        }
+        var _S73 : i32 = index_1 + i32(1);
+        lit_most_0 = _S70;
+        index_1 = _S73;
+    }
+    if(VIEW_0 == i32(4))
+    {
+        var _S74 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S74;
+    }
+    if(VIEW_0 == i32(5))
+    {
+        var _S75 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S75;
+    }
+    if(ENVIRONMENT_0 > i32(0))
+    {
+        var _S76 : vec3<f32> = ambient_light_0(s_5, seen_3, gain_5) * s_5.visibility_0 + s_5.bounced_0;
+        var n_dot_v_5 : f32 = dot(s_5.sharp_0, s_5.view_0);
+        var power_3 : f32 = skin_specular_power_0(s_5.gloss_3);
+        var mirror_0 : vec3<f32> = skin_reflected_0(s_5.sharp_0, s_5.view_0);
+        var _S77 : vec3<f32> = mix(reflected_radiance_0(mirror_0, power_3 / 4.0f), reflected_radiance_0(mirror_0, power_3 * power_3 / 4.0f), vec3<f32>(0.05000000074505806f)) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_5.gloss_3, s_5.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_5.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_5.gloss_3));
+        if(SHADING_0 == i32(2))
+        {
+            _S69 = TAPS_0 > i32(0);
+        }
+        else
+        {
+            _S69 = false;
+        }
+        if(_S69)
+        {
+            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_5.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
+        }
+        else
+        {
+            direct_0 = _S68;
+        }
+        var _S78 : vec3<f32> = direct_0;
+        direct_0 = _S77;
+        specular_0 = _S76;
+        direct_1 = _S78;
+    }
+    else
+    {
+        direct_0 = _S68;
+        specular_0 = _S68;
+        direct_1 = _S68;
+    }
+    if(SHADING_0 != i32(1))
+    {
+        specular_1 = s_5.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_5.mesh_normal_0, s_5.view_0), s_5.gloss_3, s_5.reflectance_1));
+    }
+    else
+    {
+        specular_1 = s_5.albedo_1;
+    }
+    var direct_5 : vec3<f32> = direct_2 * specular_1;
+    var deep_3 : vec3<f32> = deep_1 * specular_1;
+    var ambient_0 : vec3<f32> = specular_0 * specular_1;
+    var ambient_deep_0 : vec3<f32> = direct_1 * specular_1;
+    var _S79 : vec3<f32> = direct_5 + deep_3 + specular_2 + ambient_0 + ambient_deep_0 + direct_0;
+    if(VIEW_0 == i32(7))
+    {
+        deep_0 = direct_5;
+    }
+    else
+    {
+        deep_0 = _S79;
+    }
+    if(VIEW_0 == i32(8))
+    {
+        deep_0 = deep_3;
+    }
+    if(VIEW_0 == i32(9))
+    {
+        deep_0 = specular_2;
+    }
+    if(VIEW_0 == i32(10))
+    {
+        deep_0 = ambient_0;
+    }
+    if(VIEW_0 == i32(11))
+    {
+        deep_0 = ambient_deep_0;
+    }
+    if(VIEW_0 == i32(12))
+    {
+        deep_0 = direct_0;
+    }
+    var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(deep_0, 1.0f) );
+    return _S80;
+}
+
