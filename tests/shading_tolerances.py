@@ -186,3 +186,10 @@ CHART_AREA = Tolerance(2e-3, "texels of 512² whose centre is covered, against t
 TIER_OVER_PUBLISHED = Tolerance(1.1, "other lights and other meshes of the same bodies")
 TIER_DIGIT = Tolerance(0.5e-4, "half of the last digit that was published")
 TIER_ON_SPHERE = Tolerance(1e-4, "ring times factor is the sphere's kernel to σ³κ³; mesh of 10,242")
+
+# -- the GPU's picture beside the CPU's, in steps of 1/255 after tone mapping -----------------------------
+
+BACKENDS_MEAN = Tolerance(0.05, "mean; .003 on llvmpipe; float32, maps in half floats")
+BACKENDS_TAIL = Tolerance(
+    1.5, "99.9 % of pixels; .36 on llvmpipe; others lie on edges, where samples tie"
+)

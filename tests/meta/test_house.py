@@ -98,7 +98,8 @@ def test_imports_point_downwards():
 
 def test_every_folder_of_the_package_has_its_layer():
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    (contract,) = settings["tool"]["importlinter"]["contracts"]
+    contracts = settings["tool"]["importlinter"]["contracts"]
+    (contract,) = [each for each in contracts if each["type"] == "layers"]
     layers = [name.strip() for layer in contract["layers"] for name in layer.split(":")]
     folders = {path.parent.name for path in (ROOT / "src" / "skinshade").glob("*/__init__.py")}
     assert sorted(layers) == sorted(f"skinshade.{name}" for name in folders)

@@ -21,6 +21,7 @@ from ..scene.images import write_image, write_png
 from .compare import parse_variant, side_by_side
 from .parse import numbers, size
 from .progress import terminal_progress
+from .timings import timing_report
 
 __all__ = ["render_command"]
 
@@ -86,6 +87,7 @@ def render_command(
     deep_scatter_strength: float = typer.Option(None, help="Multiplies light through thin parts."),
     exposure: float = typer.Option(None, help="Multiplies light before tone mapping."),
     tone: str = typer.Option(None, help="filmic or srgb."),
+    timings: str = typer.Option(None, help="table or json: time of every pass on the GPU."),
 ) -> None:
     """Draw a head, as PNG or EXR."""
     settings = RenderSettings(
@@ -97,6 +99,8 @@ def render_command(
     )
     extent = size(picture_size)
     _check(extent, samples, turntable, output, compare)
+    if timings not in (None, "table", "json"):
+        raise ArgumentError(f"--timings is {timings!r}; it must be table or json")
     variants = [parse_variant(word, settings) for word in compare.split(",")] if compare else []
     scene = _base_scene(model, unit_mm, albedo, normal_map, flip_v, light, view)
     scene = _relit(scene, light, env, env_scale, show_env, background, model)
@@ -117,6 +121,8 @@ def render_command(
             image = renderer.draw(scene.camera, extent, samples, settings)
             write_image(output, image, display(image, scene, settings))
             typer.echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.place}")
+    if timings:
+        typer.echo(timing_report(renderer, timings))
 
 
 def _check(

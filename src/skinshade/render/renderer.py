@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol, get_args
 
@@ -81,9 +81,17 @@ class Renderer(Protocol):
     ----------
     place
         What draws it, for a person to read.
+    timings_ms
+        Time of every pass drawn so far on the device itself, ms, by its name; empty where none can be had.
     """
 
-    place: str
+    @property
+    def place(self) -> str:
+        """See above."""
+
+    @property
+    def timings_ms(self) -> dict[str, list[float]]:
+        """See above."""
 
     def draw(
         self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
@@ -126,15 +134,64 @@ def open_renderer(
     """
     if backend not in get_args(Backend):
         raise ArgumentError(f"backend is {backend!r}; it must be auto, gpu or cpu")
-    if backend != "cpu":
-        try:
-            return _gpu_renderer(scene, progress, adapter, software=backend == "gpu")
-        except BackendError:
-            if backend == "gpu" or adapter is not None:
-                raise
     from .cpu.renderer import CpuRenderer
 
-    return CpuRenderer(scene, progress)
+    if backend == "cpu":
+        return CpuRenderer(scene, progress)
+    try:
+        found = _gpu_renderer(scene, progress, adapter, software=backend == "gpu")
+    except BackendError:
+        if backend == "gpu" or adapter is not None:
+            raise
+        return CpuRenderer(scene, progress)
+    if backend == "gpu":
+        return found
+    return WithFallback(found, lambda: CpuRenderer(scene, progress))
+
+
+class WithFallback:
+    """A renderer, and another for when its device is lost or out of memory.
+
+    Parameters
+    ----------
+    first
+        Draws as long as it can.
+    then
+        Makes the one that draws from there on.
+    """
+
+    def __init__(self, first: Renderer, then: Callable[[], Renderer]) -> None:
+        self._now, self._then = first, then
+
+    @property
+    def place(self) -> str:
+        """What draws now."""
+        return self._now.place
+
+    @property
+    def timings_ms(self) -> dict[str, list[float]]:
+        """Of what draws now."""
+        return self._now.timings_ms
+
+    def draw(
+        self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
+    ) -> ImageArray:
+        """Return (H, W, 4) linear light and coverage."""
+        return self.draw_each(camera, size, samples, [settings])[0]
+
+    def draw_each(
+        self,
+        camera: Camera,
+        size: tuple[int, int],
+        samples: int,
+        ways: Sequence[RenderSettings],
+    ) -> list[ImageArray]:
+        """Return a picture for each of the settings."""
+        try:
+            return self._now.draw_each(camera, size, samples, ways)
+        except BackendError:
+            self._now = self._then()
+            return self._now.draw_each(camera, size, samples, ways)
 
 
 def _gpu_renderer(

@@ -178,13 +178,15 @@ CASES = {
     "unknown backend": of_render(
         "--backend", "abacus", "cpu", call=lambda at: drawn(at, backend="abacus")
     ),
-    "no GPU": of_render(
-        "--backend",
-        "gpu",
-        "cpu",
+    "no such GPU": of_render(
+        "--adapter",
+        "a voodoo",
+        "adapter",
         code=1,
         kind=errors.BackendError,
-        call=lambda at: open_renderer(sk.head_scene(*model(at / "bare.obj", unit_mm=1)), "gpu"),
+        call=lambda at: open_renderer(
+            sk.head_scene(*model(at / "bare.obj", unit_mm=1)), adapter="a voodoo"
+        ),
     ),
     "picture's suffix": Case(
         (*HEAD[:4], "-o", "kept.tiff"),

@@ -1,9 +1,8 @@
 import pytest
 from test_render_picture import KEY, scene
 
-from skinshade._core.errors import ArgumentError, BackendError
+from skinshade._core.errors import ArgumentError
 from skinshade.render import RenderSettings, render
-from skinshade.render.renderer import open_renderer
 
 
 def test_progress_rises_and_is_done_in_the_end():
@@ -34,13 +33,6 @@ def test_progress_rises_and_is_done_in_the_end():
 def test_a_request_out_of_range_is_refused_by_name(request_, said):
     with pytest.raises(ArgumentError, match=said):
         render(scene(KEY), **({"size": (4, 4), "samples": 1} | request_))
-
-
-def test_there_is_no_gpu_yet_and_auto_is_the_cpu():
-    with pytest.raises(BackendError, match="use cpu"):
-        open_renderer(scene(KEY), "gpu")
-    one, other = (render(scene(KEY), size=(8, 8), backend=b) for b in ("auto", "cpu"))
-    assert one.tobytes() == other.tobytes()
 
 
 @pytest.mark.parametrize(

@@ -45,6 +45,7 @@ class CpuRenderer:
     def __init__(self, scene: Scene, progress: Progress = silent) -> None:
         self.scene = scene
         self.place = "the CPU"
+        self.timings_ms: dict[str, list[float]] = {}
         self.prepared = PreparedScene(scene, progress)
         self._progress = progress
 

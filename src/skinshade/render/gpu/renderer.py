@@ -11,10 +11,12 @@ import numpy as np
 import wgpu
 
 from ..._core.arrays import ImageArray
+from ..._core.errors import BackendError
 from ..._core.progress import Progress, silent
 from ...gpu.bindings import bind_points, override_ids
 from ...gpu.device import open_device
 from ...gpu.textures import buffer
+from ...gpu.timing import Stopwatch
 from ...scene import Camera, Scene
 from ..prepared import PreparedScene
 from ..renderer import DEBUG_VIEWS, SHADINGS, TIERS, RenderSettings, sample_offsets
@@ -58,6 +60,7 @@ class GpuRenderer:
         self.prepared = PreparedScene(scene, progress)
         self.resources = Resources(self.device, self.prepared)
         self._progress = progress
+        self.timings_ms: dict[str, list[float]] = {}
         self._pipelines: dict[tuple[int, ...], wgpu.GPURenderPipeline] = {}
         self._targets: dict[tuple[int, int], list[wgpu.GPUTexture]] = {}
 
@@ -74,8 +77,27 @@ class GpuRenderer:
         samples: int,
         ways: Sequence[RenderSettings],
     ) -> list[ImageArray]:
-        """Return a picture for each way to shade."""
+        """Return a picture for each way to shade.
+
+        Raises
+        ------
+        BackendError
+            If the device is lost or out of memory.
+        """
         self.prepared.prepare()
+        try:
+            return self._drawn(camera, size, samples, ways)
+        except (wgpu.GPUError, MemoryError) as error:
+            reason = str(error).strip().splitlines()[0] if str(error).strip() else "out of memory"
+            raise BackendError(f"backend gpu: {self.place} failed ({reason}); use cpu") from None
+
+    def _drawn(
+        self,
+        camera: Camera,
+        size: tuple[int, int],
+        samples: int,
+        ways: Sequence[RenderSettings],
+    ) -> list[ImageArray]:
         background = self.prepared.background(camera, size)
         offsets = sample_offsets(samples, ways[0].seed)
         pictures = []
@@ -119,6 +141,7 @@ class GpuRenderer:
                 "depth_store_op": "discard",
                 "depth_clear_value": 1.0,
             },
+            **self._stopwatch.around(),
         )
         pipeline = self._pipeline(way)
         work.set_pipeline(pipeline)
@@ -127,7 +150,9 @@ class GpuRenderer:
         work.set_index_buffer(self.resources.indices, "uint32")
         work.draw_indexed(self.resources.corner_count)
         work.end()
+        self._stopwatch.resolve(encoder)
         self.device.queue.submit([encoder.finish()])
+        self.timings_ms.setdefault("skin", []).extend(self._stopwatch.read_ms())
         data = self.device.queue.read_texture(
             {"texture": colour},
             {"bytes_per_row": 16 * width, "rows_per_image": height},
@@ -151,6 +176,10 @@ class GpuRenderer:
             record[14, 0] = self.prepared.uv_scale_mm
             record[15, 0] = 1.0
         return record
+
+    @cached_property
+    def _stopwatch(self) -> Stopwatch:
+        return Stopwatch(self.device)
 
     @cached_property
     def _frame_buffer(self) -> wgpu.GPUBuffer:

@@ -1,0 +1,43 @@
+"""Bind points and constants by the names in a program's text."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+import pytest
+
+from skinshade._core.errors import ArgumentError
+from skinshade.gpu.bindings import BindPoint, bind_points, override_ids
+
+PROGRAM = """
+@group(1) @binding(3) var<uniform> block : Block;
+@binding(7) @group(0) var lut_0 : texture_2d<f32>;
+@group(0) @binding(8) var<storage, read> rows : array<vec4<f32>>;
+@id(2) override TAPS_0 : i32 = i32(8);
+@id(0) override plain : f32;
+"""
+
+
+def test_every_global_is_found_whichever_attribute_comes_first():
+    assert bind_points(PROGRAM) == {
+        "block": BindPoint(1, 3, "Block"),
+        "lut": BindPoint(0, 7, "texture_2d<f32>"),
+        "rows": BindPoint(0, 8, "array<vec4<f32>>"),
+    }
+
+
+def test_constants_are_known_by_name():
+    assert override_ids(PROGRAM) == {"TAPS": "2", "plain": "0"}
+
+
+def test_a_program_without_globals_is_an_error():
+    with pytest.raises(ArgumentError, match="no @group"):
+        bind_points("fn main() {}")
+
+
+def test_no_two_globals_of_our_pass_share_a_place():
+    text = files("skinshade.shaders").joinpath("generated/skin_pass.wgsl").read_text("utf-8")
+    found = bind_points(text)
+    places = [(point.group, point.binding) for point in found.values()]
+    assert len(set(places)) == len(places) == text.count("@binding(")
+    assert {"skin_block", "scatter_block", "albedo_map", "depths"} <= set(found)
