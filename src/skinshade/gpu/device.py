@@ -52,8 +52,9 @@ def open_device(name: str | None = None, *, software: bool = True) -> wgpu.GPUDe
     """
     found = [each for each in adapters() if software or _kind(each) != "CPU"]
     if not found:
+        asked = f" where {name!r} was asked for" if name else ""
         raise BackendError(
-            "backend gpu: no adapter was found; install a GPU driver or Mesa's lavapipe,"
+            f"backend gpu: no adapter was found{asked}; install a GPU driver or Mesa's lavapipe,"
             " or use --backend cpu"
         )
     chosen = [each for each in found if name is None or name.lower() in each.info["device"].lower()]

@@ -121,7 +121,8 @@ def open_renderer(
     scene
         What is drawn.
     backend
-        ``cpu``; ``gpu``, be it in software; ``auto`` for a GPU that is hardware, or else the CPU.
+        ``cpu``; ``gpu``, be it in software; ``auto`` for a GPU that is hardware or was named, or else
+        the CPU.
     progress
         Called with what is being done and how far it is.
     adapter
@@ -139,7 +140,8 @@ def open_renderer(
     if backend == "cpu":
         return CpuRenderer(scene, progress)
     try:
-        found = _gpu_renderer(scene, progress, adapter, software=backend == "gpu")
+        software = backend == "gpu" or adapter is not None
+        found = _gpu_renderer(scene, progress, adapter, software)
     except BackendError:
         if backend == "gpu" or adapter is not None:
             raise
