@@ -38,6 +38,11 @@ PARITY = {
     "skin_sharpened_shadow": Parity(
         2e-4, 0.0, "asin at ±1 knows half the bits, times a sharpening of 12"
     ),
+    "skin_thickness": Parity(
+        2e-3,
+        2e-6,
+        "a depth of 2000 mm is known to 1e-3 near the far plane",
+    ),
     "skin_linear_depth": Parity(0.0, 2e-6, "up to 2000 mm; depth to one rounding of its far plane"),
     "skin_inward_offset": Parity(4e-5, 0.0, "positions of up to 300 mm, rounded to 3e-5"),
     "skin_specular_power": Parity(0.0, 4e-6, "exp2 of up to 13"),

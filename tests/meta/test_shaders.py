@@ -20,7 +20,7 @@ HOST_ONLY = {
     "deep_scatter": {
         "default_sigma_per_mm": "once a profile",
         "poisson_disk": "a constant table",
-        "thickness_from_depths": "the mean of a loop over taps",
+        "thickness_from_depths": "inside skin_thickness",
     },
     "normals": {"normal_blend": "a fit, once a profile", "NormalBlend": "ScatterParams holds it"},
     "tonemap": {"ToneMap": "a type", "tonemap": "a choice between two functions"},

@@ -74,6 +74,11 @@ def one_for_all(low, high):
     return lambda rng: np.full(COUNT, rng.uniform(low, high))
 
 
+def one_for_all_uv(rng):
+    """The radius of a disk in a map whose texels are square, or not."""
+    return np.tile(rng.uniform(0.002, 0.05, 2), (COUNT, 1))
+
+
 VALUES = {
     "albedo": rgb(0.02, 0.95),
     "band_transfer": lambda rng: uniform(0.0, 1.2)(rng, (3, 3)),
@@ -111,6 +116,8 @@ VALUES = {
     "radiance_sh_green": coefficients,
     "radiance_sh_red": coefficients,
     "red": rgb(0.0, 2.0),
+    "radius_uv": one_for_all_uv,
+    "receiver_mm": uniform(50.0, 1500.0),
     "reflectance": uniform(0.0, 0.2),
     "relief_length": rgb(0.0, 1.0),
     "rms_radius_mm": rgb(0.1, 5.0),
@@ -123,9 +130,11 @@ VALUES = {
     "sigma_per_mm": rgb(0.05, 3.0),
     "strength": one_for_all(0.0, 4.0),
     "tensor_world": symmetric,
+    "taps": lambda rng: np.full(COUNT, rng.choice([8, 32])),
     "thickness_mm": uniform(0.0, 100.0),
     "total_per_mm": uniform(0.5, 1.0),
     "transmitted": rgb(0.0, 1.0),
+    "uv": lambda rng: uniform(-0.05, 1.05)(rng, (2,)),
     "uv_scale_mm": one_for_all(100.0, 900.0),
     "view": unit,
     "visibility": uniform(0.0, 1.0),
@@ -146,7 +155,7 @@ def drawn(signature, seed):
     rng = np.random.default_rng(seed)
     values = {}
     for parameter in signature.parameters:
-        if parameter.kind != "lut":
+        if parameter.kind not in ("lut", "tex2d"):
             draw = BY_FUNCTION.get((signature.name, parameter.name), VALUES[parameter.name])
             values[parameter.name] = draw(rng).astype(np.float32).astype(np.float64)
     return values

@@ -9,7 +9,7 @@ from importlib.resources import files
 import numpy as np
 import wgpu
 
-from skinshade.codegen.kernels import WORKGROUP, row_length
+from skinshade.codegen.kernels import WIDTHS, WORKGROUP, row_length
 from skinshade.codegen.signatures import FLOATS
 
 
@@ -29,20 +29,21 @@ class Runner:
     def __call__(self, signature, values, tables=None):
         """Return (N, ...) of a function, given (N, ...) by parameter name and tables by theirs.
 
-        A table is a pair of texels (H, W, 3) and its four axes.
+        A table is a pair of texels (H, W, 3) and its four axes; a plain texture has none, and is not
+        filtered.
         """
         count = len(next(iter(values.values())))
         padded = -(-count // WORKGROUP) * WORKGROUP
-        rows, columns, used = [], {}, []
+        rows, columns = [], {}
         for parameter in signature.parameters:
-            if parameter.kind == "lut":
+            if parameter.kind in ("lut", "tex2d"):
                 texels, axes = tables[parameter.name]
-                columns[parameter.name] = texels
+                columns[parameter.name] = texels, "nearest" if axes is None else "linear"
+            if parameter.kind == "lut":
                 rows.append(np.tile(np.asarray(axes, dtype=np.float64), (count, 1)))
-                used.append(parameter.name)
-            else:
+            elif parameter.kind != "tex2d":
                 flat = np.asarray(values[parameter.name], dtype=np.float64).reshape(count, -1)
-                assert flat.shape[1] == FLOATS[parameter.kind], parameter
+                assert flat.shape[1] == WIDTHS[parameter.kind], parameter
                 rows.append(flat)
         data = np.zeros((padded, row_length(signature)), dtype=np.float32)
         data[:count] = np.concatenate(rows, axis=1)
@@ -86,9 +87,9 @@ class Runner:
             {"binding": places["inputs"], "resource": {"buffer": inputs}},
             {"binding": places["outputs"], "resource": {"buffer": outputs}},
         ]
-        for table, texels in tables.items():
+        for table, (texels, kept) in tables.items():
             entries.append({"binding": places[table], "resource": self._texture(texels)})
-            sampler = self.device.create_sampler(mag_filter="linear", min_filter="linear")
+            sampler = self.device.create_sampler(mag_filter=kept, min_filter=kept)
             entries.append({"binding": places[f"{table}_sampler"], "resource": sampler})
         return entries
 

@@ -34,6 +34,12 @@ def tables_for(signature):
     for parameter in signature.parameters:
         if parameter.kind == "lut" and parameter.name == "transfer":
             tables["transfer"] = transfer_table()
+        elif parameter.kind == "tex2d":
+            depths = np.random.default_rng(7).random((96, 128)).astype(np.float32) * np.float32(
+                0.97
+            )
+            texels = np.repeat(depths[..., None], 3, axis=2)
+            tables[parameter.name] = (texels, None), depths.astype(np.float64)
         elif parameter.kind == "lut":
             tables[parameter.name] = lut_of(signature)
     return tables
@@ -72,7 +78,7 @@ def expected(signature, values, tables):
     given = []
     for parameter in signature.parameters:
         name = parameter.name
-        if parameter.kind == "lut":
+        if parameter.kind in ("lut", "tex2d"):
             given.append(tables[name][1])
         elif name == "blend":
             given.append(NormalBlend(np.zeros(2), values["blend"]))
@@ -80,6 +86,8 @@ def expected(signature, values, tables):
             s = values[name]
             rows, columns = np.triu_indices(3)
             given.append(s[:, rows, columns])
+        elif name == "taps":
+            given.append(int(values[name][0]))
         elif name == "projection":
             given.append(values[name][0])
         elif name == "radiance_sh_red":

@@ -11,6 +11,7 @@ from .blocks import block_layouts, block_source, echo_source
 from .compiler import LIBRARY, translate, version
 from .kernels import kernel_source
 from .library import DIALECTS, library
+from .poisson import poisson_source
 from .signatures import signatures
 
 __all__ = ["GENERATED", "generate", "write"]
@@ -21,6 +22,7 @@ GENERATED = LIBRARY.parent / "generated"
 def generate() -> dict[str, str]:
     """Return name and text of every file of ``shaders/generated``; the same on every machine."""
     files = {f"skin.{each.suffix}": library(each) for each in DIALECTS.values()}
+    files["poisson.slang"] = poisson_source()
     files["blocks.slang"] = block_source()
     files["layout.json"] = _json({"blocks": block_layouts()})
     files["kernels.wgsl"] = translate(kernel_source(signatures()), "wgsl").text
@@ -35,7 +37,8 @@ def write(folder: Path = GENERATED) -> list[str]:
     """Write what `generate` gives, and return the names of the files that changed."""
     folder.mkdir(exist_ok=True)
     changed = []
-    for name, text in generate().items():
+    # The library includes the disks: they must be new before it is translated.
+    for name, text in ({"poisson.slang": poisson_source()} | generate()).items():
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             with atomic_write(path) as temporary:

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
-from .signatures import FLOATS, Parameter, Signature
+from .signatures import FLOATS, NUMBERS, Parameter, Signature
 
-__all__ = ["WORKGROUP", "kernel_source", "row_length"]
+__all__ = ["WIDTHS", "WORKGROUP", "kernel_source", "row_length"]
+
+WIDTHS = {**NUMBERS, "lut": 4, "tex2d": 0}
+"""Floats that a parameter takes of a row: a table its axes, a plain texture none."""
 
 WORKGROUP = 64
 
 
 def row_length(signature: Signature) -> int:
     """Return how many floats one call takes: its values, and the axes of its tables."""
-    return sum(FLOATS.get(each.kind, 4) for each in signature.parameters)
+    return sum(WIDTHS[each.kind] for each in signature.parameters)
 
 
 def kernel_source(signatures: list[Signature]) -> str:
     """Return Slang that reads ``inputs`` row by row, calls each function, and writes ``outputs``."""
-    tables = sorted({p.name for each in signatures for p in each.parameters if p.kind == "lut"})
+    parameters = [p for each in signatures for p in each.parameters]
+    textures = sorted({p.name for p in parameters if p.kind in ("lut", "tex2d")})
     lines = ['#include "skin.slang"', ""]
     lines += ["StructuredBuffer<float> inputs;", "RWStructuredBuffer<float> outputs;"]
-    for name in tables:
+    for name in textures:
         lines += [f"Texture2D<float4> {name};", f"SamplerState {name}_sampler;"]
     for each in signatures:
         lines += ["", *_kernel(each)]
@@ -37,7 +41,7 @@ def _kernel(signature: Signature) -> list[str]:
     arguments, start = [], 0
     for parameter in signature.parameters:
         arguments.append(_argument(parameter, start))
-        start += FLOATS.get(parameter.kind, 4)
+        start += WIDTHS[parameter.kind]
     width = FLOATS[signature.returns]
     lines.append(f"    {signature.returns} result = {signature.name}({', '.join(arguments)});")
     lines += [
@@ -48,10 +52,12 @@ def _kernel(signature: Signature) -> list[str]:
 
 
 def _argument(parameter: Parameter, start: int) -> str:
+    if parameter.kind == "tex2d":
+        return f"{parameter.name}, {parameter.name}_sampler"
     if parameter.kind == "lut":
         axes = _numbers("float4", start, 4)
         return f"{parameter.name}, {parameter.name}_sampler, {axes}"
-    return _numbers(parameter.kind, start, FLOATS[parameter.kind])
+    return _numbers(parameter.kind, start, NUMBERS[parameter.kind])
 
 
 def _numbers(kind: str, start: int, count: int) -> str:

@@ -9,14 +9,15 @@ from pathlib import Path
 from .._core.errors import CompilerError
 from .compiler import LIBRARY
 
-__all__ = ["Parameter", "Signature", "signatures"]
+__all__ = ["FLOATS", "NUMBERS", "Parameter", "Signature", "signatures"]
 
 FUNCTION = re.compile(
     r"^SKIN_API\s+(\w+)\s+(skin_\w+)\s*\((.*?)\)\s*\n\{", re.MULTILINE | re.DOTALL
 )
 INCLUDE = re.compile(r'^#include "(\w+\.slang)"', re.MULTILINE)
-TABLE = re.compile(r"SKIN_LUT\((\w+)\)$")
+TEXTURE = re.compile(r"SKIN_(LUT|TEX2D)\((\w+)\)$")
 FLOATS = {"float": 1, "float2": 2, "float3": 3, "float4": 4, "float3x3": 9, "float4x4": 16}
+NUMBERS = {**FLOATS, "int": 1}
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,8 @@ class Parameter:
     Attributes
     ----------
     kind
-        A type of `FLOATS`, or ``lut``: a texture, its sampler where the language parts them, and its axes.
+        A type of `NUMBERS`; ``tex2d``: a texture, and its sampler where the language parts them; or
+        ``lut``: a texture with its axes.
     name
         As the specification calls it.
     """
@@ -89,11 +91,11 @@ def _split(inside: str) -> list[str]:
 
 
 def _parameter(text: str, function: str) -> Parameter:
-    table = TABLE.match(text)
-    if table:
-        return Parameter("lut", table.group(1))
+    texture = TEXTURE.match(text)
+    if texture:
+        return Parameter(texture.group(1).lower(), texture.group(2))
     kind, _, name = text.partition(" ")
-    if kind not in FLOATS or not name.isidentifier():
+    if kind not in NUMBERS or not name.isidentifier():
         raise CompilerError(
             f"{function}: parameter {text!r} is of no type that all languages share"
         )

@@ -17,6 +17,7 @@ __all__ = [
     "inward_offset",
     "linear_depth",
     "poisson_disk",
+    "thickness",
     "thickness_from_depths",
     "transmittance",
 ]
@@ -83,6 +84,38 @@ def thickness_from_depths(receiver_mm: FloatArray, occluder_mm: FloatArray) -> F
     """Return the mean over taps (last axis) of max(0, receiver − occluder), mm."""
     result: FloatArray = np.maximum(receiver_mm[..., None] - occluder_mm, 0.0).mean(axis=-1)
     return result
+
+
+def thickness(
+    depth_map: FloatArray,
+    projection: FloatArray,
+    uv: FloatArray,
+    receiver_mm: FloatArray,
+    radius_uv: FloatArray,
+    taps: int,
+) -> FloatArray:
+    """Return the mean thickness (...) in front of receivers, mm, from a light's depth map.
+
+    Parameters
+    ----------
+    depth_map
+        (H, W) as the projection stores it; the nearest texel is taken, the edge's beyond the edge.
+    projection
+        (4, 4) of the light, as in `linear_depth`, in mm.
+    uv
+        (..., 2) of the receivers in the map, v down.
+    receiver_mm
+        (...) distance of the receivers, moved by `inward_offset`, along the light's axis.
+    radius_uv
+        (..., 2) of the disk.
+    taps
+        8 or 32.
+    """
+    height, width = depth_map.shape
+    at = (uv[..., None, :] + poisson_disk(taps) * radius_uv[..., None, :]) * (width, height)
+    texel = np.clip(np.floor(at), 0, (width - 1, height - 1)).astype(np.int64)
+    depths = depth_map[texel[..., 1], texel[..., 0]]
+    return thickness_from_depths(receiver_mm, linear_depth(depths, projection))
 
 
 def default_sigma_per_mm(rms_radius_mm: FloatArray) -> FloatArray:

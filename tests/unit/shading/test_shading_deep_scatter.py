@@ -14,6 +14,7 @@ from skinshade.shading.deep_scatter import (
     inward_offset,
     linear_depth,
     poisson_disk,
+    thickness,
     thickness_from_depths,
     transmittance,
 )
@@ -209,3 +210,35 @@ def test_light_enters_where_the_far_side_faces_it(cosine, strength):
         ambient_deep_scatter(passed, np.array([[2.0, 1.0, 4.0]]), strength),
         strength * np.array([[1.0, 0.3, 0.4]]),
     )
+
+
+NEAR, FAR = 100.0, 900.0
+PARALLEL = np.array(
+    [[1e-2, 0, 0, 0], [0, 1e-2, 0, 0], [0, 0, 1 / (NEAR - FAR), NEAR / (NEAR - FAR)], [0, 0, 0, 1]]
+)
+
+
+def stored(distance_mm):
+    return (np.asarray(distance_mm) - NEAR) / (FAR - NEAR)
+
+
+@pytest.mark.parametrize("taps", [8, 32])
+def test_a_wall_before_a_receiver_is_as_thick_as_it_is_far(taps):
+    uv = np.random.default_rng(0).random((20, 2))
+    receiver = np.linspace(300.0, 500.0, 20)
+    found = thickness(
+        np.full((64, 48), stored(280.0)), PARALLEL, uv, receiver, 0.1 + 0.0 * uv, taps
+    )
+    assert np.abs(found - (receiver - 280.0)).max() <= tol.ROUNDING_SUMS.value * FAR
+
+
+def test_taps_past_the_body_and_behind_the_receiver_find_no_wall():
+    half = np.full((64, 64), 1.0)
+    half[:, :32] = stored(290.0)
+    uv = np.array([[0.5, 0.5], [0.9, 0.5], [0.1, 0.5]])
+    found = thickness(half, PARALLEL, uv, np.full(3, 300.0), np.full((3, 2), 0.1), 32)
+    assert 0.3 * 10.0 < found[0] < 0.7 * 10.0
+    assert found[1] == 0.0
+    assert abs(found[2] - 10.0) <= tol.ROUNDING_SUMS.value * FAR
+    behind = thickness(half, PARALLEL, uv[2:], np.array([280.0]), np.full((1, 2), 0.1), 8)
+    assert behind[0] == 0.0

@@ -2,19 +2,25 @@
 
 @binding(1) @group(0) var<storage, read_write> outputs_0 : array<f32>;
 
-@binding(2) @group(0) var lut_0 : texture_2d<f32>;
+@binding(4) @group(0) var lut_0 : texture_2d<f32>;
 
-@binding(3) @group(0) var lut_sampler_0 : sampler;
+@binding(5) @group(0) var lut_sampler_0 : sampler;
 
-@binding(4) @group(0) var transfer_0 : texture_2d<f32>;
+@binding(6) @group(0) var transfer_0 : texture_2d<f32>;
 
-@binding(5) @group(0) var transfer_sampler_0 : sampler;
+@binding(7) @group(0) var transfer_sampler_0 : sampler;
+
+@binding(2) @group(0) var depth_map_0 : texture_2d<f32>;
+
+@binding(3) @group(0) var depth_map_sampler_0 : sampler;
 
 fn rsqrt_0( x_0 : f32) -> f32
 {
     return 1.0f / sqrt(x_0);
 }
 
+var<private> SKIN_POISSON_32_0 : array<vec2<f32>, i32(32)> = array<vec2<f32>, i32(32)>( vec2<f32>(-0.02096010930836201f, 0.01299272011965513f), vec2<f32>(0.69517123699188232f, -0.04910685122013092f), vec2<f32>(0.28034570813179016f, 0.66283899545669556f), vec2<f32>(0.03107489086687565f, -0.69704329967498779f), vec2<f32>(-0.49904009699821472f, 0.54098159074783325f), vec2<f32>(-0.70408397912979126f, -0.14709833264350891f), vec2<f32>(0.53451526165008545f, -0.56702268123626709f), vec2<f32>(-0.48678380250930786f, -0.61486828327178955f), vec2<f32>(0.68837428092956543f, 0.41418349742889404f), vec2<f32>(-0.14107078313827515f, 0.8102262020111084f), vec2<f32>(0.21897397935390472f, -0.3123532235622406f), vec2<f32>(0.31406453251838684f, 0.24951401352882385f), vec2<f32>(-0.83115619421005249f, 0.28457203507423401f), vec2<f32>(-0.40699386596679688f, 0.14198443293571472f), vec2<f32>(-0.10747358947992325f, 0.41360348463058472f), vec2<f32>(-0.19334819912910461f, -0.34689420461654663f), vec2<f32>(0.80768358707427979f, -0.37000563740730286f), vec2<f32>(0.33436411619186401f, -0.82407790422439575f), vec2<f32>(-0.79105347394943237f, -0.45378401875495911f), vec2<f32>(-0.23485180735588074f, -0.86940687894821167f), vec2<f32>(0.37255629897117615f, -0.05855973064899445f), vec2<f32>(0.5726354718208313f, 0.72984015941619873f), vec2<f32>(0.8966706395149231f, 0.17047682404518127f), vec2<f32>(-0.43273070454597473f, 0.81860679388046265f), vec2<f32>(0.1212853416800499f, 0.92984902858734131f), vec2<f32>(-0.42749753594398499f, -0.15111121535301208f), vec2<f32>(-0.94129812717437744f, 0.00735718011856079f), vec2<f32>(0.52211439609527588f, -0.28702935576438904f), vec2<f32>(-0.79033631086349487f, 0.5402228832244873f), vec2<f32>(-0.23410981893539429f, -0.59940856695175171f), vec2<f32>(0.28244560956954956f, -0.563071608543396f), vec2<f32>(0.57051312923431396f, 0.18359191715717316f) );
+var<private> SKIN_POISSON_8_0 : array<vec2<f32>, i32(8)> = array<vec2<f32>, i32(8)>( vec2<f32>(-0.16089901328086853f, -0.04573699831962585f), vec2<f32>(-0.89243310689926147f, 0.18877510726451874f), vec2<f32>(-0.17830690741539001f, 0.7200586199760437f), vec2<f32>(-0.53433239459991455f, -0.70478206872940063f), vec2<f32>(0.22474820911884308f, -0.69165337085723877f), vec2<f32>(0.5559992790222168f, 0.1985180526971817f), vec2<f32>(0.64686292409896851f, -0.3364911675453186f), vec2<f32>(0.33836102485656738f, 0.67131179571151733f) );
 fn skin_blur_level_0( sigma_mm_0 : f32,  uv_scale_mm_0 : f32,  map_size_0 : f32,  hardware_level_0 : f32) -> f32
 {
     return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_0 / uv_scale_mm_0, 1.0f)));
@@ -486,29 +492,68 @@ fn run_inward_offset(@builtin(global_invocation_id) thread_19 : vec3<u32>)
     return;
 }
 
-fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
+fn skin_thickness_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : sampler,  projection_1 : mat4x4<f32>,  uv_0 : vec2<f32>,  receiver_mm_0 : f32,  radius_uv_0 : vec2<f32>,  taps_0 : i32) -> f32
 {
-    var a2_0 : vec3<f32> = albedo_2 * albedo_2;
-    var _S50 : vec3<f32> = vec3<f32>(1.0f);
-    var _S51 : vec3<f32> = vec3<f32>(2.0f);
-    var _S52 : vec3<f32> = _S51 * albedo_2;
-    var a_0 : vec3<f32> = (_S50 + a2_0) / _S52;
-    var b_0 : vec3<f32> = (_S50 - a2_0) / _S52;
-    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
-    return _S51 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    var tap_0 : i32 = i32(0);
+    var total_1 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_0 < taps_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var place_0 : vec2<f32>;
+        if(taps_0 == i32(8))
+        {
+            place_0 = SKIN_POISSON_8_0[min(tap_0, i32(7))];
+        }
+        else
+        {
+            place_0 = SKIN_POISSON_32_0[min(tap_0, i32(31))];
+        }
+        var total_2 : f32 = total_1 + max(receiver_mm_0 - skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (uv_0 + place_0 * radius_uv_0), (0.0f))).x, projection_1), 0.0f);
+        tap_0 = tap_0 + i32(1);
+        total_1 = total_2;
+    }
+    return total_1 / f32(max(taps_0, i32(1)));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_transmittance(@builtin(global_invocation_id) thread_20 : vec3<u32>)
+fn run_thickness(@builtin(global_invocation_id) thread_20 : vec3<u32>)
 {
-    var _S53 : u32 = thread_20.x;
-    var at_19 : u32 = _S53 * u32(7);
-    var result_14 : vec3<f32> = skin_transmittance_0(inputs_0[at_19], vec3<f32>(inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)], inputs_0[at_19 + u32(3)]), vec3<f32>(inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)], inputs_0[at_19 + u32(6)]));
-    var _S54 : u32 = _S53 * u32(3);
-    outputs_0[_S54] = result_14[i32(0)];
-    outputs_0[_S54 + u32(1)] = result_14[i32(1)];
-    outputs_0[_S54 + u32(2)] = result_14[i32(2)];
+    var _S50 : u32 = thread_20.x;
+    var at_19 : u32 = _S50 * u32(22);
+    outputs_0[_S50] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[at_19], inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)], inputs_0[at_19 + u32(3)], inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)], inputs_0[at_19 + u32(6)], inputs_0[at_19 + u32(7)], inputs_0[at_19 + u32(8)], inputs_0[at_19 + u32(9)], inputs_0[at_19 + u32(10)], inputs_0[at_19 + u32(11)], inputs_0[at_19 + u32(12)], inputs_0[at_19 + u32(13)], inputs_0[at_19 + u32(14)], inputs_0[at_19 + u32(15)]), vec2<f32>(inputs_0[at_19 + u32(16)], inputs_0[at_19 + u32(17)]), inputs_0[at_19 + u32(18)], vec2<f32>(inputs_0[at_19 + u32(19)], inputs_0[at_19 + u32(20)]), i32(inputs_0[at_19 + u32(21)]));
+    return;
+}
+
+fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo_2 * albedo_2;
+    var _S51 : vec3<f32> = vec3<f32>(1.0f);
+    var _S52 : vec3<f32> = vec3<f32>(2.0f);
+    var _S53 : vec3<f32> = _S52 * albedo_2;
+    var a_0 : vec3<f32> = (_S51 + a2_0) / _S53;
+    var b_0 : vec3<f32> = (_S51 - a2_0) / _S53;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
+    return _S52 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_transmittance(@builtin(global_invocation_id) thread_21 : vec3<u32>)
+{
+    var _S54 : u32 = thread_21.x;
+    var at_20 : u32 = _S54 * u32(7);
+    var result_14 : vec3<f32> = skin_transmittance_0(inputs_0[at_20], vec3<f32>(inputs_0[at_20 + u32(1)], inputs_0[at_20 + u32(2)], inputs_0[at_20 + u32(3)]), vec3<f32>(inputs_0[at_20 + u32(4)], inputs_0[at_20 + u32(5)], inputs_0[at_20 + u32(6)]));
+    var _S55 : u32 = _S54 * u32(3);
+    outputs_0[_S55] = result_14[i32(0)];
+    outputs_0[_S55 + u32(1)] = result_14[i32(1)];
+    outputs_0[_S55 + u32(2)] = result_14[i32(2)];
     return;
 }
 
@@ -520,11 +565,11 @@ fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f3
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_transmittance(@builtin(global_invocation_id) thread_21 : vec3<u32>)
+fn run_classic_transmittance(@builtin(global_invocation_id) thread_22 : vec3<u32>)
 {
-    var _S55 : u32 = thread_21.x;
-    var at_20 : u32 = _S55 * u32(2);
-    outputs_0[_S55] = skin_classic_transmittance_0(inputs_0[at_20], inputs_0[at_20 + u32(1)]);
+    var _S56 : u32 = thread_22.x;
+    var at_21 : u32 = _S56 * u32(2);
+    outputs_0[_S56] = skin_classic_transmittance_0(inputs_0[at_21], inputs_0[at_21 + u32(1)]);
     return;
 }
 
@@ -535,15 +580,15 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_22 : vec3<u32>)
+fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_23 : vec3<u32>)
 {
-    var _S56 : u32 = thread_22.x;
-    var at_21 : u32 = _S56 * u32(5);
-    var result_15 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[at_21], inputs_0[at_21 + u32(1)], inputs_0[at_21 + u32(2)]), inputs_0[at_21 + u32(3)], inputs_0[at_21 + u32(4)]);
-    var _S57 : u32 = _S56 * u32(3);
-    outputs_0[_S57] = result_15[i32(0)];
-    outputs_0[_S57 + u32(1)] = result_15[i32(1)];
-    outputs_0[_S57 + u32(2)] = result_15[i32(2)];
+    var _S57 : u32 = thread_23.x;
+    var at_22 : u32 = _S57 * u32(5);
+    var result_15 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[at_22], inputs_0[at_22 + u32(1)], inputs_0[at_22 + u32(2)]), inputs_0[at_22 + u32(3)], inputs_0[at_22 + u32(4)]);
+    var _S58 : u32 = _S57 * u32(3);
+    outputs_0[_S58] = result_15[i32(0)];
+    outputs_0[_S58 + u32(1)] = result_15[i32(1)];
+    outputs_0[_S58 + u32(2)] = result_15[i32(2)];
     return;
 }
 
@@ -554,15 +599,15 @@ fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_23 : vec3<u32>)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_24 : vec3<u32>)
 {
-    var _S58 : u32 = thread_23.x;
-    var at_22 : u32 = _S58 * u32(7);
-    var result_16 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[at_22], inputs_0[at_22 + u32(1)], inputs_0[at_22 + u32(2)]), vec3<f32>(inputs_0[at_22 + u32(3)], inputs_0[at_22 + u32(4)], inputs_0[at_22 + u32(5)]), inputs_0[at_22 + u32(6)]);
-    var _S59 : u32 = _S58 * u32(3);
-    outputs_0[_S59] = result_16[i32(0)];
-    outputs_0[_S59 + u32(1)] = result_16[i32(1)];
-    outputs_0[_S59 + u32(2)] = result_16[i32(2)];
+    var _S59 : u32 = thread_24.x;
+    var at_23 : u32 = _S59 * u32(7);
+    var result_16 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[at_23], inputs_0[at_23 + u32(1)], inputs_0[at_23 + u32(2)]), vec3<f32>(inputs_0[at_23 + u32(3)], inputs_0[at_23 + u32(4)], inputs_0[at_23 + u32(5)]), inputs_0[at_23 + u32(6)]);
+    var _S60 : u32 = _S59 * u32(3);
+    outputs_0[_S60] = result_16[i32(0)];
+    outputs_0[_S60 + u32(1)] = result_16[i32(1)];
+    outputs_0[_S60 + u32(2)] = result_16[i32(2)];
     return;
 }
 
@@ -573,10 +618,10 @@ fn skin_specular_power_0( gloss_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_power(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+fn run_specular_power(@builtin(global_invocation_id) thread_25 : vec3<u32>)
 {
-    var _S60 : u32 = thread_24.x;
-    outputs_0[_S60] = skin_specular_power_0(inputs_0[_S60]);
+    var _S61 : u32 = thread_25.x;
+    outputs_0[_S61] = skin_specular_power_0(inputs_0[_S61]);
     return;
 }
 
@@ -589,35 +634,35 @@ fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_of_relief(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_26 : vec3<u32>)
 {
-    var _S61 : u32 = thread_25.x;
-    var at_23 : u32 = _S61 * u32(2);
-    outputs_0[_S61] = skin_gloss_of_relief_0(inputs_0[at_23], inputs_0[at_23 + u32(1)]);
+    var _S62 : u32 = thread_26.x;
+    var at_24 : u32 = _S62 * u32(2);
+    outputs_0[_S62] = skin_gloss_of_relief_0(inputs_0[at_24], inputs_0[at_24 + u32(1)]);
     return;
 }
 
 fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 {
-    var _S62 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S62 * _S62;
+    var _S63 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S63 * _S63;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_27 : vec3<u32>)
 {
-    var _S63 : u32 = thread_26.x;
-    outputs_0[_S63] = skin_gloss_from_roughness_0(inputs_0[_S63]);
+    var _S64 : u32 = thread_27.x;
+    outputs_0[_S64] = skin_gloss_from_roughness_0(inputs_0[_S64]);
     return;
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_1 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S64 : f32 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S64 * n_dot_l_2) * (k_0 + _S64 * n_dot_v_1)));
+    var _S65 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S65 * n_dot_l_2) * (k_0 + _S65 * n_dot_v_1)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
@@ -634,11 +679,11 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular(@builtin(global_invocation_id) thread_27 : vec3<u32>)
+fn run_specular(@builtin(global_invocation_id) thread_28 : vec3<u32>)
 {
-    var _S65 : u32 = thread_27.x;
-    var at_24 : u32 = _S65 * u32(11);
-    outputs_0[_S65] = skin_specular_0(vec3<f32>(inputs_0[at_24], inputs_0[at_24 + u32(1)], inputs_0[at_24 + u32(2)]), vec3<f32>(inputs_0[at_24 + u32(3)], inputs_0[at_24 + u32(4)], inputs_0[at_24 + u32(5)]), vec3<f32>(inputs_0[at_24 + u32(6)], inputs_0[at_24 + u32(7)], inputs_0[at_24 + u32(8)]), inputs_0[at_24 + u32(9)], inputs_0[at_24 + u32(10)]);
+    var _S66 : u32 = thread_28.x;
+    var at_25 : u32 = _S66 * u32(11);
+    outputs_0[_S66] = skin_specular_0(vec3<f32>(inputs_0[at_25], inputs_0[at_25 + u32(1)], inputs_0[at_25 + u32(2)]), vec3<f32>(inputs_0[at_25 + u32(3)], inputs_0[at_25 + u32(4)], inputs_0[at_25 + u32(5)]), vec3<f32>(inputs_0[at_25 + u32(6)], inputs_0[at_25 + u32(7)], inputs_0[at_25 + u32(8)]), inputs_0[at_25 + u32(9)], inputs_0[at_25 + u32(10)]);
     return;
 }
 
@@ -649,15 +694,15 @@ fn skin_reflected_0( normal_4 : vec3<f32>,  view_1 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected(@builtin(global_invocation_id) thread_28 : vec3<u32>)
+fn run_reflected(@builtin(global_invocation_id) thread_29 : vec3<u32>)
 {
-    var _S66 : u32 = thread_28.x;
-    var at_25 : u32 = _S66 * u32(6);
-    var result_17 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[at_25], inputs_0[at_25 + u32(1)], inputs_0[at_25 + u32(2)]), vec3<f32>(inputs_0[at_25 + u32(3)], inputs_0[at_25 + u32(4)], inputs_0[at_25 + u32(5)]));
-    var _S67 : u32 = _S66 * u32(3);
-    outputs_0[_S67] = result_17[i32(0)];
-    outputs_0[_S67 + u32(1)] = result_17[i32(1)];
-    outputs_0[_S67 + u32(2)] = result_17[i32(2)];
+    var _S67 : u32 = thread_29.x;
+    var at_26 : u32 = _S67 * u32(6);
+    var result_17 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[at_26], inputs_0[at_26 + u32(1)], inputs_0[at_26 + u32(2)]), vec3<f32>(inputs_0[at_26 + u32(3)], inputs_0[at_26 + u32(4)], inputs_0[at_26 + u32(5)]));
+    var _S68 : u32 = _S67 * u32(3);
+    outputs_0[_S68] = result_17[i32(0)];
+    outputs_0[_S68 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S68 + u32(2)] = result_17[i32(2)];
     return;
 }
 
@@ -670,11 +715,11 @@ fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectanc
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_29 : vec3<u32>)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_30 : vec3<u32>)
 {
-    var _S68 : u32 = thread_29.x;
-    var at_26 : u32 = _S68 * u32(3);
-    outputs_0[_S68] = skin_ambient_specular_fresnel_0(inputs_0[at_26], inputs_0[at_26 + u32(1)], inputs_0[at_26 + u32(2)]);
+    var _S69 : u32 = thread_30.x;
+    var at_27 : u32 = _S69 * u32(3);
+    outputs_0[_S69] = skin_ambient_specular_fresnel_0(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]);
     return;
 }
 
@@ -685,47 +730,47 @@ fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_diffuse_share(@builtin(global_invocation_id) thread_30 : vec3<u32>)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_31 : vec3<u32>)
 {
-    var _S69 : u32 = thread_30.x;
-    var at_27 : u32 = _S69 * u32(3);
-    outputs_0[_S69] = skin_diffuse_share_0(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]);
+    var _S70 : u32 = thread_31.x;
+    var at_28 : u32 = _S70 * u32(3);
+    outputs_0[_S70] = skin_diffuse_share_0(inputs_0[at_28], inputs_0[at_28 + u32(1)], inputs_0[at_28 + u32(2)]);
     return;
 }
 
 fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 {
     var x_1 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S70 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_1;
-    return x_1 * (_S70 + vec3<f32>(0.5f)) / (x_1 * (_S70 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S71 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_1;
+    return x_1 * (_S71 + vec3<f32>(0.5f)) / (x_1 * (_S71 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_filmic(@builtin(global_invocation_id) thread_31 : vec3<u32>)
+fn run_filmic(@builtin(global_invocation_id) thread_32 : vec3<u32>)
 {
-    var at_28 : u32 = thread_31.x * u32(3);
-    var _S71 : u32 = at_28 + u32(1);
-    var _S72 : u32 = at_28 + u32(2);
-    var result_18 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_28], inputs_0[_S71], inputs_0[_S72]));
-    outputs_0[at_28] = result_18[i32(0)];
-    outputs_0[_S71] = result_18[i32(1)];
-    outputs_0[_S72] = result_18[i32(2)];
+    var at_29 : u32 = thread_32.x * u32(3);
+    var _S72 : u32 = at_29 + u32(1);
+    var _S73 : u32 = at_29 + u32(2);
+    var result_18 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_29], inputs_0[_S72], inputs_0[_S73]));
+    outputs_0[at_29] = result_18[i32(0)];
+    outputs_0[_S72] = result_18[i32(1)];
+    outputs_0[_S73] = result_18[i32(2)];
     return;
 }
 
 fn skin_srgb_curve_0( x_2 : f32) -> f32
 {
-    var _S73 : f32;
+    var _S74 : f32;
     if(x_2 <= 0.00313080009073019f)
     {
-        _S73 = 12.92000007629394531f * x_2;
+        _S74 = 12.92000007629394531f * x_2;
     }
     else
     {
-        _S73 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S74 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S73;
+    return _S74;
 }
 
 fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
@@ -736,30 +781,30 @@ fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_srgb_from_linear(@builtin(global_invocation_id) thread_32 : vec3<u32>)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_33 : vec3<u32>)
 {
-    var at_29 : u32 = thread_32.x * u32(3);
-    var _S74 : u32 = at_29 + u32(1);
-    var _S75 : u32 = at_29 + u32(2);
-    var result_19 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_29], inputs_0[_S74], inputs_0[_S75]));
-    outputs_0[at_29] = result_19[i32(0)];
-    outputs_0[_S74] = result_19[i32(1)];
-    outputs_0[_S75] = result_19[i32(2)];
+    var at_30 : u32 = thread_33.x * u32(3);
+    var _S75 : u32 = at_30 + u32(1);
+    var _S76 : u32 = at_30 + u32(2);
+    var result_19 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_30], inputs_0[_S75], inputs_0[_S76]));
+    outputs_0[at_30] = result_19[i32(0)];
+    outputs_0[_S75] = result_19[i32(1)];
+    outputs_0[_S76] = result_19[i32(2)];
     return;
 }
 
 fn skin_linear_curve_0( x_4 : f32) -> f32
 {
-    var _S76 : f32;
+    var _S77 : f32;
     if(x_4 <= 0.04044999927282333f)
     {
-        _S76 = x_4 / 12.92000007629394531f;
+        _S77 = x_4 / 12.92000007629394531f;
     }
     else
     {
-        _S76 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S77 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S76;
+    return _S77;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -770,15 +815,15 @@ fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_from_srgb(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_34 : vec3<u32>)
 {
-    var at_30 : u32 = thread_33.x * u32(3);
-    var _S77 : u32 = at_30 + u32(1);
-    var _S78 : u32 = at_30 + u32(2);
-    var result_20 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_30], inputs_0[_S77], inputs_0[_S78]));
-    outputs_0[at_30] = result_20[i32(0)];
-    outputs_0[_S77] = result_20[i32(1)];
-    outputs_0[_S78] = result_20[i32(2)];
+    var at_31 : u32 = thread_34.x * u32(3);
+    var _S78 : u32 = at_31 + u32(1);
+    var _S79 : u32 = at_31 + u32(2);
+    var result_20 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_31], inputs_0[_S78], inputs_0[_S79]));
+    outputs_0[at_31] = result_20[i32(0)];
+    outputs_0[_S78] = result_20[i32(1)];
+    outputs_0[_S79] = result_20[i32(2)];
     return;
 }
 
@@ -789,11 +834,11 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_blur_level(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_35 : vec3<u32>)
 {
-    var _S79 : u32 = thread_34.x;
-    var at_31 : u32 = _S79 * u32(4);
-    outputs_0[_S79] = skin_classic_blur_level_0(inputs_0[at_31], inputs_0[at_31 + u32(1)], inputs_0[at_31 + u32(2)], inputs_0[at_31 + u32(3)]);
+    var _S80 : u32 = thread_35.x;
+    var at_32 : u32 = _S80 * u32(4);
+    outputs_0[_S80] = skin_classic_blur_level_0(inputs_0[at_32], inputs_0[at_32 + u32(1)], inputs_0[at_32 + u32(2)], inputs_0[at_32 + u32(3)]);
     return;
 }
 
@@ -807,15 +852,15 @@ fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lu
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_direct(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+fn run_classic_direct(@builtin(global_invocation_id) thread_36 : vec3<u32>)
 {
-    var _S80 : u32 = thread_35.x;
-    var at_32 : u32 = _S80 * u32(14);
-    var result_21 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_32], inputs_0[at_32 + u32(1)], inputs_0[at_32 + u32(2)], inputs_0[at_32 + u32(3)]), vec3<f32>(inputs_0[at_32 + u32(4)], inputs_0[at_32 + u32(5)], inputs_0[at_32 + u32(6)]), vec3<f32>(inputs_0[at_32 + u32(7)], inputs_0[at_32 + u32(8)], inputs_0[at_32 + u32(9)]), vec3<f32>(inputs_0[at_32 + u32(10)], inputs_0[at_32 + u32(11)], inputs_0[at_32 + u32(12)]), inputs_0[at_32 + u32(13)]);
-    var _S81 : u32 = _S80 * u32(3);
-    outputs_0[_S81] = result_21[i32(0)];
-    outputs_0[_S81 + u32(1)] = result_21[i32(1)];
-    outputs_0[_S81 + u32(2)] = result_21[i32(2)];
+    var _S81 : u32 = thread_36.x;
+    var at_33 : u32 = _S81 * u32(14);
+    var result_21 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_33], inputs_0[at_33 + u32(1)], inputs_0[at_33 + u32(2)], inputs_0[at_33 + u32(3)]), vec3<f32>(inputs_0[at_33 + u32(4)], inputs_0[at_33 + u32(5)], inputs_0[at_33 + u32(6)]), vec3<f32>(inputs_0[at_33 + u32(7)], inputs_0[at_33 + u32(8)], inputs_0[at_33 + u32(9)]), vec3<f32>(inputs_0[at_33 + u32(10)], inputs_0[at_33 + u32(11)], inputs_0[at_33 + u32(12)]), inputs_0[at_33 + u32(13)]);
+    var _S82 : u32 = _S81 * u32(3);
+    outputs_0[_S82] = result_21[i32(0)];
+    outputs_0[_S82 + u32(1)] = result_21[i32(1)];
+    outputs_0[_S82 + u32(2)] = result_21[i32(2)];
     return;
 }
 
@@ -826,21 +871,21 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_36 : vec3<u32>)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_37 : vec3<u32>)
 {
-    var _S82 : u32 = thread_36.x;
-    var at_33 : u32 = _S82 * u32(6);
-    var result_22 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_33], inputs_0[at_33 + u32(1)], inputs_0[at_33 + u32(2)]), vec3<f32>(inputs_0[at_33 + u32(3)], inputs_0[at_33 + u32(4)], inputs_0[at_33 + u32(5)]));
-    var _S83 : u32 = _S82 * u32(9);
-    outputs_0[_S83] = result_22[i32(0)][i32(0)];
-    outputs_0[_S83 + u32(1)] = result_22[i32(0)][i32(1)];
-    outputs_0[_S83 + u32(2)] = result_22[i32(0)][i32(2)];
-    outputs_0[_S83 + u32(3)] = result_22[i32(1)][i32(0)];
-    outputs_0[_S83 + u32(4)] = result_22[i32(1)][i32(1)];
-    outputs_0[_S83 + u32(5)] = result_22[i32(1)][i32(2)];
-    outputs_0[_S83 + u32(6)] = result_22[i32(2)][i32(0)];
-    outputs_0[_S83 + u32(7)] = result_22[i32(2)][i32(1)];
-    outputs_0[_S83 + u32(8)] = result_22[i32(2)][i32(2)];
+    var _S83 : u32 = thread_37.x;
+    var at_34 : u32 = _S83 * u32(6);
+    var result_22 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_34], inputs_0[at_34 + u32(1)], inputs_0[at_34 + u32(2)]), vec3<f32>(inputs_0[at_34 + u32(3)], inputs_0[at_34 + u32(4)], inputs_0[at_34 + u32(5)]));
+    var _S84 : u32 = _S83 * u32(9);
+    outputs_0[_S84] = result_22[i32(0)][i32(0)];
+    outputs_0[_S84 + u32(1)] = result_22[i32(0)][i32(1)];
+    outputs_0[_S84 + u32(2)] = result_22[i32(0)][i32(2)];
+    outputs_0[_S84 + u32(3)] = result_22[i32(1)][i32(0)];
+    outputs_0[_S84 + u32(4)] = result_22[i32(1)][i32(1)];
+    outputs_0[_S84 + u32(5)] = result_22[i32(1)][i32(2)];
+    outputs_0[_S84 + u32(6)] = result_22[i32(2)][i32(0)];
+    outputs_0[_S84 + u32(7)] = result_22[i32(2)][i32(1)];
+    outputs_0[_S84 + u32(8)] = result_22[i32(2)][i32(2)];
     return;
 }
 
@@ -851,11 +896,11 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
-    var _S84 : u32 = thread_37.x;
-    var at_34 : u32 = _S84 * u32(2);
-    outputs_0[_S84] = skin_classic_sharpened_shadow_0(inputs_0[at_34], inputs_0[at_34 + u32(1)]);
+    var _S85 : u32 = thread_38.x;
+    var at_35 : u32 = _S85 * u32(2);
+    outputs_0[_S85] = skin_classic_sharpened_shadow_0(inputs_0[at_35], inputs_0[at_35 + u32(1)]);
     return;
 }
 
@@ -866,11 +911,11 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
-    var _S85 : u32 = thread_38.x;
-    var at_35 : u32 = _S85 * u32(4);
-    outputs_0[_S85] = skin_classic_deep_scatter_0(inputs_0[at_35], inputs_0[at_35 + u32(1)], inputs_0[at_35 + u32(2)], inputs_0[at_35 + u32(3)]);
+    var _S86 : u32 = thread_39.x;
+    var at_36 : u32 = _S86 * u32(4);
+    outputs_0[_S86] = skin_classic_deep_scatter_0(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]);
     return;
 }
 

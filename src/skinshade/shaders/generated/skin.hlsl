@@ -1,4 +1,7 @@
 // The skinshade library, generated from shaders/skin by `python -m skinshade.codegen`.
+static const float2  SKIN_POISSON_32_0[int(32)] = { float2(-0.02096010930836201f, 0.01299272011965513f), float2(0.69517123699188232f, -0.04910685122013092f), float2(0.28034570813179016f, 0.66283899545669556f), float2(0.03107489086687565f, -0.69704329967498779f), float2(-0.49904009699821472f, 0.54098159074783325f), float2(-0.70408397912979126f, -0.14709833264350891f), float2(0.53451526165008545f, -0.56702268123626709f), float2(-0.48678380250930786f, -0.61486828327178955f), float2(0.68837428092956543f, 0.41418349742889404f), float2(-0.14107078313827515f, 0.8102262020111084f), float2(0.21897397935390472f, -0.3123532235622406f), float2(0.31406453251838684f, 0.24951401352882385f), float2(-0.83115619421005249f, 0.28457203507423401f), float2(-0.40699386596679688f, 0.14198443293571472f), float2(-0.10747358947992325f, 0.41360348463058472f), float2(-0.19334819912910461f, -0.34689420461654663f), float2(0.80768358707427979f, -0.37000563740730286f), float2(0.33436411619186401f, -0.82407790422439575f), float2(-0.79105347394943237f, -0.45378401875495911f), float2(-0.23485180735588074f, -0.86940687894821167f), float2(0.37255629897117615f, -0.05855973064899445f), float2(0.5726354718208313f, 0.72984015941619873f), float2(0.8966706395149231f, 0.17047682404518127f), float2(-0.43273070454597473f, 0.81860679388046265f), float2(0.1212853416800499f, 0.92984902858734131f), float2(-0.42749753594398499f, -0.15111121535301208f), float2(-0.94129812717437744f, 0.00735718011856079f), float2(0.52211439609527588f, -0.28702935576438904f), float2(-0.79033631086349487f, 0.5402228832244873f), float2(-0.23410981893539429f, -0.59940856695175171f), float2(0.28244560956954956f, -0.563071608543396f), float2(0.57051312923431396f, 0.18359191715717316f) };
+static const float2  SKIN_POISSON_8_0[int(8)] = { float2(-0.16089901328086853f, -0.04573699831962585f), float2(-0.89243310689926147f, 0.18877510726451874f), float2(-0.17830690741539001f, 0.7200586199760437f), float2(-0.53433239459991455f, -0.70478206872940063f), float2(0.22474820911884308f, -0.69165337085723877f), float2(0.5559992790222168f, 0.1985180526971817f), float2(0.64686292409896851f, -0.3364911675453186f), float2(0.33836102485656738f, 0.67131179571151733f) };
+
 float skin_blur_level(float sigma_mm_0, float uv_scale_mm_0, float map_size_0, float hardware_level_0)
 {
     return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_0 / uv_scale_mm_0, 1.0f)));
@@ -189,6 +192,35 @@ float skin_linear_depth(float depth_0, float4x4 projection_0)
 float3 skin_inward_offset(float3 position_mm_0, float3 normal_2, float offset_mm_0)
 {
     return position_mm_0 - normal_2 * offset_mm_0;
+}
+
+float skin_thickness(Texture2D<float4 > depth_map_0, SamplerState depth_map_sampler_0, float4x4 projection_1, float2 uv_0, float receiver_mm_0, float2 radius_uv_0, int taps_0)
+{
+    int tap_0 = int(0);
+    float total_1 = 0.0f;
+    for(;;)
+    {
+        if(tap_0 < taps_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2 place_0;
+        if(taps_0 == int(8))
+        {
+            place_0 = SKIN_POISSON_8_0[min(tap_0, int(7))];
+        }
+        else
+        {
+            place_0 = SKIN_POISSON_32_0[min(tap_0, int(31))];
+        }
+        float total_2 = total_1 + max(receiver_mm_0 - skin_linear_depth(depth_map_0.SampleLevel(depth_map_sampler_0, uv_0 + place_0 * radius_uv_0, 0.0f).x, projection_1), 0.0f);
+        tap_0 = tap_0 + int(1);
+        total_1 = total_2;
+    }
+    return total_1 / float(max(taps_0, int(1)));
 }
 
 float3 skin_transmittance(float thickness_mm_0, float3 albedo_2, float3 sigma_per_mm_0)
