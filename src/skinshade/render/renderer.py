@@ -75,23 +75,15 @@ class RenderSettings:
 
 
 class Renderer(Protocol):
-    """A scene made ready: what does not depend on the camera is computed once.
-
-    Attributes
-    ----------
-    place
-        What draws it, for a person to read.
-    timings_ms
-        Time of every pass drawn so far on the device itself, ms, by its name; empty where none can be had.
-    """
+    """A scene made ready: what does not depend on the camera is computed once."""
 
     @property
     def place(self) -> str:
-        """See above."""
+        """What draws it, for a person to read."""
 
     @property
     def timings_ms(self) -> dict[str, list[float]]:
-        """See above."""
+        """Time of every pass so far on the device itself, ms, by its name; empty where none can be had."""
 
     def draw(
         self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
