@@ -30,16 +30,16 @@ def main() -> None:
     renderer = open_renderer(scene)
     maps = []
     print("| shading | FLIP | RMS of linear light, R G B |\n|---|---|---|")
-    for shading in ("lambert", "classic", "transfer"):
-        settings = sk.RenderSettings(shading=shading)
-        image = renderer.draw(scene.camera, SIZE, SAMPLES, settings)
+    labels = ["lambert", "classic", "transfer"]
+    ways = [sk.RenderSettings(shading=shading) for shading in labels]
+    images = renderer.draw_each(scene.camera, SIZE, SAMPLES, ways)
+    for shading, settings, image in zip(labels, ways, images, strict=True):
         picture = display(image, scene, settings).astype(np.float32)
         error, mean, _ = flip_evaluator.evaluate(reference, picture, "LDR")
         inside = image[..., 3] > 0.99
         rms = np.sqrt(np.square(image[..., :3] - light)[inside].mean(axis=0))
         print(f"| {shading} | {mean:.4f} | {rms[0]:.4f} {rms[1]:.4f} {rms[2]:.4f} |")
         maps += [np.asarray(error[FRAME], dtype=np.float64)]
-    labels = ["lambert", "classic", "transfer"]
     write_png(ROOT / "docs" / "images" / "flip.png", side_by_side(maps, labels))
 
 

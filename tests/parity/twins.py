@@ -18,7 +18,6 @@ ONE_FOR_ALL = {
     "filter_width_mm", "map_size", "offset_mm", "radius_mm", "sharpening", "strength", "uv_scale_mm",
 }  # fmt: skip
 """Numbers of a material: one for all pixels in the specification."""
-COLUMN = {"skin_visibility"}
 TRANSFER_SIZE, WIDEST_K = 2048, 2.0
 SKIN = Profile.preset("skin-deon2007")
 
@@ -59,11 +58,7 @@ def lut_of(signature):
 
 
 def axes_of(lut):
-    def ends(axis):
-        low, high = axis.low, axis.high
-        return np.sqrt([low, high]) if axis.spacing == "sqrt" else np.array([low, high])
-
-    (left, right), (top, bottom) = ends(lut.columns), ends(lut.rows)
+    (left, right), (top, bottom) = lut.columns.warped_ends, lut.rows.warped_ends
     return left, 1.0 / (right - left), top, 1.0 / (bottom - top)
 
 

@@ -50,15 +50,21 @@ class Axis:
                 f"axis {self.name}: from {self.low}; a sqrt axis starts at 0 or above"
             )
 
+    @property
+    def warped_ends(self) -> tuple[float, float]:
+        """Low and high, as their square roots where the spacing is ``sqrt``."""
+        low, high = self._warp(np.array([self.low, self.high]))
+        return float(low), float(high)
+
     def centres(self, count: int) -> FloatArray:
         """Return the values (count,) at the texel centres."""
-        low, high = self._warp(np.array([self.low, self.high]))
+        low, high = self.warped_ends
         steps = low + (high - low) * (np.arange(count) + 0.5) / count
         return np.square(steps) if self.spacing == "sqrt" else steps
 
     def coordinate(self, value: FloatArray) -> FloatArray:
         """Return where values lie, 0 at the low edge, 1 at the high one, clamped."""
-        low, high = self._warp(np.array([self.low, self.high]))
+        low, high = self.warped_ends
         clamped = np.clip(value, self.low, self.high)
         result: FloatArray = (self._warp(clamped) - low) / (high - low)
         return result

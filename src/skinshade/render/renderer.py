@@ -73,6 +73,11 @@ class RenderSettings:
         if self.seed < 0:
             raise ArgumentError(f"seed is {self.seed}; it must not be negative")
 
+    @property
+    def thickness_taps(self) -> int:
+        """Taps that are looked at: nothing comes through a surface without scattering."""
+        return 0 if self.shading == "lambert" else self.deep_scatter_taps
+
 
 class Renderer(Protocol):
     """A scene made ready: what does not depend on the camera is computed once."""

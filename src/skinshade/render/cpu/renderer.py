@@ -113,10 +113,12 @@ class CpuRenderer:
                     shadowed, self.prepared.shadow_maps, strict=True
                 )
             ]
-            for taps in {_taps(way) for way in ways}
+            for taps in {way.thickness_taps for way in ways}
         }
         surroundings = self._surroundings(columns, surface)
-        return [self._shaded(surface, through[_taps(way)], surroundings, way) for way in ways]
+        return [
+            self._shaded(surface, through[way.thickness_taps], surroundings, way) for way in ways
+        ]
 
     def _shaded(
         self,
@@ -265,11 +267,6 @@ class CpuRenderer:
             _two_lobes(environment, surface),
             columns["through"],
         )
-
-
-def _taps(way: RenderSettings) -> int:
-    """Taps that the way looks at: nothing comes through a surface without scattering."""
-    return 0 if way.shading == "lambert" else way.deep_scatter_taps
 
 
 def _two_lobes(environment: Environment, surface: Surface) -> FloatArray:

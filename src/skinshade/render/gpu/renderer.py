@@ -145,7 +145,7 @@ class GpuRenderer:
         )
         pipeline = self._pipeline(way)
         work.set_pipeline(pipeline)
-        work.set_bind_group(0, self._bind_group(way.deep_scatter_taps))
+        work.set_bind_group(0, self._bind_group(way.thickness_taps))
         work.set_vertex_buffer(0, self.resources.vertices)
         work.set_index_buffer(self.resources.indices, "uint32")
         work.draw_indexed(self.resources.corner_count)
@@ -231,7 +231,7 @@ class GpuRenderer:
             "SHADING": SHADINGS.index(way.shading),
             "TIER": TIERS.index(way.tier),
             "VIEW": 0 if way.debug_view is None else 1 + DEBUG_VIEWS.index(way.debug_view),
-            "TAPS": 0 if way.shading == "lambert" else way.deep_scatter_taps,
+            "TAPS": way.thickness_taps,
             "LIGHTS": len(self.scene.lights),
             "ENVIRONMENT": int(self.scene.environment is not None),
         }

@@ -20,19 +20,20 @@ __all__ = ["ATTRIBUTES", "Resources"]
 
 ATTRIBUTES = 10
 """Vectors of four a vertex, in the order of `COLUMNS`."""
-COLUMNS = (
-    "position",
-    "normal",
-    "tangent",
-    "uv",
-    "curvature",
-    "tensor",
-    "diffused",
-    "diffused_curvature",
-    "visibility",
-    "through",
-    "bounced",
-)
+COLUMNS = {
+    "position": 3,
+    "normal": 3,
+    "tangent": 4,
+    "uv": 2,
+    "curvature": 1,
+    "tensor": 6,
+    "diffused": 9,
+    "diffused_curvature": 3,
+    "visibility": 3,
+    "through": 3,
+    "bounced": 3,
+}
+"""Numbers of each; what the scene has none of stays 0."""
 TRANSFER_SIZE = 2048
 WIDEST_K_PER_MM = 16.0
 NOWHERE_MM = 1e30
@@ -60,13 +61,9 @@ class Resources:
         geometry = self.prepared.geometry
         table = np.zeros((geometry.table.shape[0], 4 * ATTRIBUTES), dtype=np.float32)
         at = 0
-        for name in COLUMNS:
-            width = {"visibility": 3, "through": 3, "bounced": 3}.get(name)
+        for name, width in COLUMNS.items():
             if name in geometry.slices:
-                column = geometry.table[:, geometry.slices[name]]
-                width = column.shape[1]
-                table[:, at : at + width] = column
-            assert width is not None
+                table[:, at : at + width] = geometry.table[:, geometry.slices[name]]
             at += width
         return buffer(self.device, table.tobytes(), wgpu.BufferUsage.VERTEX)
 
@@ -190,13 +187,8 @@ def _three(values: FloatArray) -> tuple[float, float, float]:
 
 
 def _axes(lut: Lut) -> tuple[float, float, float, float]:
-    ends = []
-    for axis in (lut.columns, lut.rows):
-        low, high = axis.low, axis.high
-        if axis.spacing == "sqrt":
-            low, high = float(np.sqrt(low)), float(np.sqrt(high))
-        ends += [low, 1.0 / (high - low)]
-    return ends[0], ends[1], ends[2], ends[3]
+    (left, right), (top, bottom) = lut.columns.warped_ends, lut.rows.warped_ends
+    return left, 1.0 / (right - left), top, 1.0 / (bottom - top)
 
 
 def _levels(texture: Texture) -> list[ImageArray]:
