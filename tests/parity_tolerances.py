@@ -44,6 +44,13 @@ PARITY = {
         "a depth of 2000 mm is known to 1e-3 near the far plane",
     ),
     "skin_linear_depth": Parity(0.0, 2e-6, "up to 2000 mm; depth to one rounding of its far plane"),
+    "skin_equirectangular_uv": Parity(1e-5, 0.0, "drivers approximate the arc tangent"),
+    "skin_reflected_radiance": Parity(
+        4e-3, 4e-3, "the place in the map, and filter weights of 8 bits between its texels"
+    ),
+    "skin_variance_shadow": Parity(
+        2e-5, 2e-4, "a difference of squares of up to 150 mm keeps 1e-3 mm²"
+    ),
     "skin_inward_offset": Parity(4e-5, 0.0, "positions of up to 300 mm, rounded to 3e-5"),
     "skin_specular_power": Parity(0.0, 4e-6, "exp2 of up to 13"),
     "skin_specular": Parity(

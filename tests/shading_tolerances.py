@@ -189,6 +189,15 @@ TIER_ON_SPHERE = Tolerance(1e-4, "ring times factor is the sphere's kernel to σ
 
 # -- the GPU's picture beside the CPU's, in steps of 1/255 after tone mapping -----------------------------
 
+VARIANCE_PROFILE = Tolerance(
+    0.06, "a Gaussian for a smoothstep .020, .4 mm of bias; .032, of a lamp's own texels .055"
+)
+
+SHOWN = Tolerance(0.55, "levels of 255: half of one by rounding, and float32")
+MULTISAMPLED_MEAN = Tolerance(1.0, "levels of 255; edges and the sharpest highlights; .67")
+MULTISAMPLED_MEDIAN = Tolerance(
+    2.0, "levels of 255 inside, shaded once a pixel of a small picture; 1.0"
+)
 BACKENDS_MEAN = Tolerance(0.05, "mean; .003 on llvmpipe; float32, maps in half floats")
 BACKENDS_TAIL = Tolerance(
     1.5, "99.9 % of pixels; .36 on llvmpipe; others lie on edges, where samples tie"

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import gc
+import os
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -43,13 +48,15 @@ def scan(data_dir):
     return both(head_scene(mesh, skin, yaw_deg=28.0), environment=sky)
 
 
-def both(scene, **changes):
-    from dataclasses import replace
-
+def both(scene, prepared=None, **changes):
     scene = replace(scene, **changes)
     gpu, cpu = open_renderer(scene, "gpu"), open_renderer(scene, "cpu")
-    # What does not depend on the backend need not be made twice.
-    gpu.prepared.__dict__.update(cpu.prepared.__dict__)
+    # What depends on neither backend nor camera need not be made twice.
+    made = (prepared or cpu).prepared
+    made.prepare()
+    for name in ("sky", "geometry", "textures", "skin"):
+        for each in (gpu, cpu):
+            each.prepared.__dict__[name] = getattr(made, name)
     return scene, gpu, cpu
 
 
@@ -79,6 +86,17 @@ def test_the_head_is_the_same_picture_in_every_tier_of_geometry(head, tier):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    "way",
+    [{"shadow_filter": "variance"}, {"normal_fetches": 2}, {"deep_scatter_taps": 0}],
+    ids=lambda way: next(iter(way)),
+)
+def test_the_head_is_the_same_picture_with_every_other_setting(head, way):
+    assert_equal_pictures(head, **way)
+    assert_equal_pictures(head, **way, shading="classic")
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("view", DEBUG_VIEWS)
 def test_the_head_is_the_same_picture_in_every_debug_view(head, view):
     assert_equal_pictures(head, debug_view=view)
@@ -87,6 +105,39 @@ def test_the_head_is_the_same_picture_in_every_debug_view(head, view):
 @pytest.mark.slow
 def test_supersampling_and_seed_take_the_same_samples(head):
     assert_equal_pictures(head, samples=4, seed=3)
+
+
+@pytest.mark.slow
+def test_the_surroundings_behind_the_body_are_the_same(head):
+    scene, _, cpu = head
+    pair = both(scene, prepared=cpu, environment=replace(scene.environment, visible=True))
+    assert_equal_pictures(pair, samples=2)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("view", [None, "normal"])
+@pytest.mark.parametrize("tone", ["filmic", "srgb"])
+def test_what_the_device_shows_is_its_light_through_the_tone_curve(head, tone, view):
+    scene, _, cpu = head
+    _, gpu, _ = both(scene, prepared=cpu, tone=tone, exposure=0.7)
+    way = RenderSettings(debug_view=view)
+    linear = gpu.draw(scene.camera, SIZE, 1, way)
+    shown = gpu.draw_shown(scene.camera, SIZE, 1, way).astype(np.float64)
+    assert np.abs(shown - display(linear, gpu.scene, way) * 255.0).max() <= tol.SHOWN.value
+
+
+@pytest.mark.slow
+def test_multisampling_smooths_edges_and_shades_like_samples_do(head):
+    """Edges come from other places in the pixel, highlights from one: compare where neither is."""
+    scene, gpu, _ = head
+    many = RenderSettings(antialiasing="multisampling")
+    fast, slow = (gpu.draw(scene.camera, SIZE, 4, way) for way in (many, RenderSettings()))
+    assert set(np.unique(fast[..., 3])) == {0.0, 0.25, 0.5, 0.75, 1.0}
+    assert np.abs(fast[..., 3] - slow[..., 3]).max() <= 0.75
+    apart = np.abs(display(fast, scene, many) - display(slow, scene, many)) * 255.0
+    assert apart.mean() <= tol.MULTISAMPLED_MEAN.value
+    inside = (fast[..., 3] == 1.0) & (slow[..., 3] == 1.0)
+    assert np.median(apart.max(axis=2)[inside]) <= tol.MULTISAMPLED_MEDIAN.value
 
 
 @pytest.mark.slow
@@ -104,10 +155,20 @@ def test_the_scan_is_the_same_picture_in_a_debug_view(scan, view):
 @pytest.mark.slow
 def test_after_the_first_frame_nothing_is_made_again(head, monkeypatch):
     scene, gpu, _ = head
-    way = RenderSettings()
-    gpu.draw(scene.camera, SIZE, 1, way)
+    ways = (RenderSettings(), RenderSettings(antialiasing="multisampling"))
+    for way in ways:
+        gpu.draw(scene.camera, SIZE, 2, way)
+        gpu.draw_shown(scene.camera, SIZE, 2, way)
     made = []
-    for name in ("create_texture", "create_render_pipeline", "create_buffer", "create_bind_group"):
+    for name in (
+        "create_bind_group",
+        "create_buffer",
+        "create_query_set",
+        "create_render_pipeline",
+        "create_sampler",
+        "create_shader_module",
+        "create_texture",
+    ):
         one = getattr(gpu.device, name)
 
         def counted(*args, _one=one, _name=name, **kwargs):
@@ -116,5 +177,26 @@ def test_after_the_first_frame_nothing_is_made_again(head, monkeypatch):
 
         monkeypatch.setattr(gpu.device, name, counted)
     for turn in (10.0, 20.0, 30.0):
-        gpu.draw(scene.camera.orbited(turn), SIZE, 1, way)
+        for way in ways:
+            gpu.draw(scene.camera.orbited(turn), SIZE, 2, way)
+            gpu.draw_shown(scene.camera.orbited(turn), SIZE, 2, way)
     assert made == []
+
+
+def memory_mib():
+    """What the process holds now, MiB."""
+    gc.collect()
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="reads Linux's own count")
+def test_a_turntable_takes_no_more_memory_from_frame_to_frame(head):
+    scene, gpu, _ = head
+    held = []
+    for frame in range(24):
+        gpu.draw_shown(scene.camera.orbited(15.0 * frame), SIZE, 2, RenderSettings())
+        held.append(memory_mib())
+    frame_mib = SIZE[0] * SIZE[1] * 16 / 2**20
+    assert max(held[12:]) - min(held[8:12]) <= 2.0 * frame_mib

@@ -22,6 +22,11 @@ HOST_ONLY = {
         "poisson_disk": "a constant table",
         "thickness_from_depths": "inside skin_thickness",
     },
+    "image_light": {
+        "LOBE_POWERS": "constants",
+        "PreconvolvedRadiance": "its atlas is the texture",
+        "bilinear": "what a sampler does",
+    },
     "normals": {"normal_blend": "a fit, once a profile", "NormalBlend": "ScatterParams holds it"},
     "tonemap": {"ToneMap": "a type", "tonemap": "a choice between two functions"},
 }

@@ -29,16 +29,15 @@ class Runner:
     def __call__(self, signature, values, tables=None):
         """Return (N, ...) of a function, given (N, ...) by parameter name and tables by theirs.
 
-        A table is a pair of texels (H, W, 3) and its four axes; a plain texture has none, and is not
-        filtered.
+        A table is its texels (H, W, 3), its four axes where it has them, and how it is sampled.
         """
         count = len(next(iter(values.values())))
         padded = -(-count // WORKGROUP) * WORKGROUP
         rows, columns = [], {}
         for parameter in signature.parameters:
             if parameter.kind in ("lut", "tex2d"):
-                texels, axes = tables[parameter.name]
-                columns[parameter.name] = texels, "nearest" if axes is None else "linear"
+                texels, axes, sampled = tables[parameter.name]
+                columns[parameter.name] = texels, sampled
             if parameter.kind == "lut":
                 rows.append(np.tile(np.asarray(axes, dtype=np.float64), (count, 1)))
             elif parameter.kind != "tex2d":
@@ -87,9 +86,9 @@ class Runner:
             {"binding": places["inputs"], "resource": {"buffer": inputs}},
             {"binding": places["outputs"], "resource": {"buffer": outputs}},
         ]
-        for table, (texels, kept) in tables.items():
+        for table, (texels, sampled) in tables.items():
             entries.append({"binding": places[table], "resource": self._texture(texels)})
-            sampler = self.device.create_sampler(mag_filter=kept, min_filter=kept)
+            sampler = self.device.create_sampler(**sampled)
             entries.append({"binding": places[f"{table}_sampler"], "resource": sampler})
         return entries
 

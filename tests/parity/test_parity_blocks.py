@@ -11,11 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinshade.params import ScatterParams, SkinParams
+from skinshade.params import BLOCKS
 from skinshade.params.fields import meaning
-from skinshade.params.packing import layout
-
-BLOCKS = {"SkinBlock": SkinParams, "ScatterBlock": ScatterParams}
+from skinshade.params.packing import float_count, layout
 
 
 def filled(of):
@@ -25,8 +23,10 @@ def filled(of):
         m = meaning(field)
         # Drivers may flush what is too small to be normal in float32.
         one = st.floats(m.low, m.high).filter(lambda v: v == 0.0 or abs(v) > 1e-37)
-        size = np.atleast_1d(field.default).size
-        return st.tuples(*[one] * size) if size > 1 else one
+        shape = np.shape(field.default)
+        for size in reversed(shape):
+            one = st.tuples(*[one] * size)
+        return one
 
     return st.builds(of, **{field.name: value(field) for field in fields(of)})
 
@@ -68,11 +68,11 @@ def test_a_shader_reads_every_field_that_was_packed(echo, block):
     def holds(params):
         found, at = echo(block, params.pack()), 0
         for name, field in layout()[block]["fields"].items():
-            width = int(field["kind"].removeprefix("float") or 1)
-            given_values = np.atleast_1d(np.float32(getattr(params, name)))
-            want = np.zeros(width, dtype=np.float32)
-            want[: given_values.size] = given_values
-            assert np.array_equal(found[at : at + width], want), name
+            width = float_count(field["kind"])
+            rows = np.atleast_2d(np.float32(getattr(params, name)))
+            want = np.zeros((len(rows), width // len(rows)), dtype=np.float32)
+            want[:, : rows.shape[1]] = rows
+            assert np.array_equal(found[at : at + width], want.ravel()), name
             at += width
 
     holds()
@@ -83,7 +83,7 @@ def test_the_layout_holds_every_field_once_without_overlap(block):
     described = layout()[block]
     assert set(described["fields"]) == {field.name for field in fields(BLOCKS[block])}
     spans = sorted(
-        (f["offset"], f["offset"] + 4 * int(f["kind"].removeprefix("float") or 1))
+        (f["offset"], f["offset"] + 4 * float_count(f["kind"]))
         for f in described["fields"].values()
     )
     assert all(end <= start for (_, end), (start, _) in pairwise(spans))

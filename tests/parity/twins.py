@@ -9,6 +9,7 @@ import numpy as np
 from skinshade.lut import build_curvature_lut, build_shadow_lut
 from skinshade.lut.classic import classic_curvature_lut
 from skinshade.profile import Profile
+from skinshade.scene import Environment
 from skinshade.shading.normals import NormalBlend
 
 MODULES = {"energy": "skinshade.profile.energy"}
@@ -18,6 +19,9 @@ ONE_FOR_ALL = {
     "filter_width_mm", "map_size", "offset_mm", "radius_mm", "sharpening", "strength", "uv_scale_mm",
 }  # fmt: skip
 """Numbers of a material: one for all pixels in the specification."""
+LINEAR = {"mag_filter": "linear", "min_filter": "linear"}
+AROUND = {**LINEAR, "address_mode_u": "repeat"}
+NEAREST: dict[str, str] = {}
 TRANSFER_SIZE, WIDEST_K = 2048, 2.0
 SKIN = Profile.preset("skin-deon2007")
 
@@ -33,12 +37,15 @@ def tables_for(signature):
     for parameter in signature.parameters:
         if parameter.kind == "lut" and parameter.name == "transfer":
             tables["transfer"] = transfer_table()
+        elif parameter.name == "preconvolved":
+            found = Environment.studio().preconvolved
+            tables["preconvolved"] = (found.atlas, None, AROUND), found
         elif parameter.kind == "tex2d":
             depths = np.random.default_rng(7).random((96, 128)).astype(np.float32) * np.float32(
                 0.97
             )
             texels = np.repeat(depths[..., None], 3, axis=2)
-            tables[parameter.name] = (texels, None), depths.astype(np.float64)
+            tables[parameter.name] = (texels, None, NEAREST), depths.astype(np.float64)
         elif parameter.kind == "lut":
             tables[parameter.name] = lut_of(signature)
     return tables
@@ -54,7 +61,7 @@ def lut_of(signature):
         lut = build_curvature_lut(
             SKIN, size=(512, 128), radius_mm=(0.5, 4000.0), kernel=kernel, energy_gain=False
         )
-    return (lut.values, axes_of(lut)), lut
+    return (lut.values, axes_of(lut), LINEAR), lut
 
 
 def axes_of(lut):
@@ -65,7 +72,7 @@ def axes_of(lut):
 def transfer_table():
     root = (np.arange(TRANSFER_SIZE) + 0.5) / TRANSFER_SIZE * np.sqrt(WIDEST_K)
     texels = SKIN.transfer(np.square(root))[None].astype(np.float32)
-    return (texels, (0.0, 1.0 / np.sqrt(WIDEST_K), 0.0, 1.0)), SKIN.kernel.transfer
+    return (texels, (0.0, 1.0 / np.sqrt(WIDEST_K), 0.0, 1.0), LINEAR), SKIN.kernel.transfer
 
 
 def expected(signature, values, tables):

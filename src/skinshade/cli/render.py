@@ -14,10 +14,10 @@ from .._core.units import parse_unit_mm
 from ..profile import Profile
 from ..render import DEBUG_VIEWS, RenderSettings
 from ..render.renderer import Renderer, display, open_renderer
-from ..scene import DirectionalLight, Environment, Scene, load_scene
+from ..scene import Camera, DirectionalLight, Environment, Scene, load_scene
 from ..scene.heads import builtin_head, head_scene
 from ..scene.heads import model as load_model
-from ..scene.images import write_image, write_png
+from ..scene.images import write_exr, write_png
 from .compare import parse_variant, side_by_side
 from .parse import numbers, size
 from .progress import terminal_progress
@@ -51,6 +51,16 @@ def render_command(
     ),
     deep_scatter_taps: int = typer.Option(
         8, help="Light through thin parts: 0 (off), 8 or 32 taps."
+    ),
+    normal_fetches: int = typer.Option(
+        3, help="Of the normal map: 3 (sharp and two blurs) or 2 (sharp and one)."
+    ),
+    shadow_filter: str = typer.Option(
+        "percentage-closer", help="percentage-closer, or variance: both of one width in mm."
+    ),
+    antialiasing: str = typer.Option(
+        "supersampling",
+        help="supersampling, or multisampling: a GPU shades once a pixel and finds edges from 4 samples.",
     ),
     debug_view: str = typer.Option(None, help=f"One of {', '.join(DEBUG_VIEWS)}."),
     compare: str = typer.Option(
@@ -94,6 +104,9 @@ def render_command(
         shading="lambert" if no_sss else shading,  # type: ignore[arg-type]  # checked by the class
         tier=tier,  # type: ignore[arg-type]  # checked by the class
         deep_scatter_taps=deep_scatter_taps,
+        normal_fetches=normal_fetches,
+        shadow_filter=shadow_filter,  # type: ignore[arg-type]  # checked by the class
+        antialiasing=antialiasing,  # type: ignore[arg-type]  # checked by the class
         debug_view=debug_view,
         seed=seed,
     )
@@ -118,8 +131,7 @@ def render_command(
         elif turntable:
             _draw_turntable(renderer, scene, extent, samples, settings, turntable, output)
         else:
-            image = renderer.draw(scene.camera, extent, samples, settings)
-            write_image(output, image, display(image, scene, settings))
+            _write(renderer, scene.camera, extent, samples, settings, output)
             typer.echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.place}")
     if timings:
         typer.echo(timing_report(renderer, timings))
@@ -224,6 +236,20 @@ def _retouched(
     return scene
 
 
+def _write(
+    renderer: Renderer,
+    camera: Camera,
+    extent: tuple[int, int],
+    samples: int,
+    settings: RenderSettings,
+    output: Path,
+) -> None:
+    if output.suffix.lower() == ".exr":
+        write_exr(output, renderer.draw(camera, extent, samples, settings))
+    else:
+        write_png(output, renderer.draw_shown(camera, extent, samples, settings))
+
+
 def _draw_compared(
     renderer: Renderer,
     scene: Scene,
@@ -253,9 +279,8 @@ def _draw_turntable(
     digits = len(str(frames - 1))
     for frame in range(frames):
         camera = scene.camera.orbited(360.0 * frame / frames)
-        image = renderer.draw(camera, extent, samples, settings)
         path = output.with_stem(f"{output.stem}-{frame:0{digits}d}")
-        write_image(path, image, display(image, scene, settings))
+        _write(renderer, camera, extent, samples, settings, path)
     typer.echo(
         f"{output.with_stem(output.stem + '-*')}: {frames} frames, drawn on {renderer.place}"
     )

@@ -5,18 +5,14 @@ from __future__ import annotations
 from dataclasses import Field, fields
 from typing import Any
 
-import numpy as np
-
 from .._core.errors import CompilerError
-from ..params import ScatterParams, SkinParams
+from ..params import BLOCKS
 from ..params.fields import meaning
+from ..params.packing import float_count, kind_of
 from .compiler import Language, translate
 
-__all__ = ["BLOCKS", "block_layouts", "block_source", "echo_source"]
+__all__ = ["block_layouts", "block_source", "echo_source"]
 
-BLOCKS: dict[str, type] = {"SkinBlock": SkinParams, "ScatterBlock": ScatterParams}
-KINDS = {1: "float", 2: "float2", 3: "float4", 4: "float4"}
-"""Three numbers take the room of four: a float3 stands elsewhere in every language."""
 LANGUAGES: tuple[Language, ...] = ("wgsl", "glsl", "hlsl", "metal")
 
 
@@ -28,9 +24,9 @@ def block_source() -> str:
         for field in _ordered(of):
             m = meaning(field)
             unit = "" if m.unit == "1" else f" {m.unit}"
-            lines.append(
-                f"    {_kind(field)} {field.name}; // {m.low:g}..{m.high:g}{unit}. {m.about}"
-            )
+            kind, _, count = _kind(field).partition("[")
+            name = f"{field.name}[{count}" if count else field.name
+            lines.append(f"    {kind} {name}; // {m.low:g}..{m.high:g}{unit}. {m.about}")
         lines += ["};", ""]
     return "\n".join(lines)
 
@@ -55,7 +51,7 @@ def block_layouts() -> dict[str, Any]:
     result = {}
     for block, offsets in first.items():
         kinds = {field.name: _kind(field) for field in fields(BLOCKS[block])}
-        ends = [offset + 4 * _width(kinds[name]) for name, offset in offsets.items()]
+        ends = [offset + 4 * float_count(kinds[name]) for name, offset in offsets.items()]
         result[block] = {
             "size": -(-max(ends) // 16) * 16,
             "fields": {
@@ -73,8 +69,8 @@ def echo_source() -> str:
         lines += ["", '[shader("compute")]', "[numthreads(1, 1, 1)]", f"void echo_{name}()", "{"]
         at = 0
         for field in _ordered(of):
-            for part in "xyzw"[: _width(_kind(field))]:
-                lines.append(f"    echoed[{at}] = {_instance(name)}.{field.name}.{part};")
+            for part in _parts(_kind(field)):
+                lines.append(f"    echoed[{at}] = {_instance(name)}.{field.name}{part};")
                 at += 1
         lines.append("}")
     return "\n".join([*lines, ""])
@@ -85,16 +81,20 @@ def _instance(block: str) -> str:
 
 
 def _ordered(of: type) -> list[Field[Any]]:
-    return sorted(fields(of), key=lambda field: -_width(_kind(field)))
+    return sorted(fields(of), key=lambda field: -float_count(_kind(field)))
 
 
 def _kind(field: Field[Any]) -> str:
-    default: Any = field.default
-    return KINDS[np.atleast_1d(default).size]
+    return kind_of(field.default)
 
 
-def _width(kind: str) -> int:
-    return int(kind.removeprefix("float") or 1)
+def _parts(kind: str) -> list[str]:
+    """What picks each float of a field, in order."""
+    vector, _, count = kind.partition("[")
+    letters = [f".{letter}" for letter in "xyzw"[: float_count(vector)]]
+    if not count:
+        return letters
+    return [f"[{row}]{letter}" for row in range(int(count.rstrip("]"))) for letter in letters]
 
 
 def _reflected(source: str, language: Language) -> dict[str, dict[str, int]]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
 
 from .._core.files import atomic_write
 from .blocks import block_layouts, block_source, echo_source
 from .compiler import LIBRARY, translate, version
+from .constants import constants_source
 from .kernels import kernel_source
 from .library import DIALECTS, library
 from .poisson import poisson_source
@@ -17,16 +19,22 @@ from .signatures import signatures
 __all__ = ["GENERATED", "generate", "write"]
 
 GENERATED = LIBRARY.parent / "generated"
+PASSES = ("shadow_pass", "blur_pass", "skin_pass", "present_pass")
+INCLUDED: dict[str, Callable[[], str]] = {
+    "poisson.slang": poisson_source,
+    "blocks.slang": block_source,
+    "constants.slang": constants_source,
+}
+"""Sources that library and passes include: they must be new before anything is translated."""
 
 
 def generate() -> dict[str, str]:
     """Return name and text of every file of ``shaders/generated``; the same on every machine."""
     files = {f"skin.{each.suffix}": library(each) for each in DIALECTS.values()}
-    files["poisson.slang"] = poisson_source()
-    files["blocks.slang"] = block_source()
+    files |= {name: source() for name, source in INCLUDED.items()}
     files["layout.json"] = _json({"blocks": block_layouts()})
     files["kernels.wgsl"] = translate(kernel_source(signatures()), "wgsl").text
-    files["skin_pass.wgsl"] = translate('#include "../passes/skin_pass.slang"', "wgsl").text
+    files |= {f"{name}.wgsl": _pass(name) for name in PASSES}
     files["echo.wgsl"] = translate(block_source() + echo_source(), "wgsl").text
     sources = {path.name: _hash(path) for path in sorted(LIBRARY.glob("*.slang"))}
     files["manifest.json"] = _json({"slangc": version(), "sources": sources})
@@ -37,14 +45,23 @@ def write(folder: Path = GENERATED) -> list[str]:
     """Write what `generate` gives, and return the names of the files that changed."""
     folder.mkdir(exist_ok=True)
     changed = []
-    # The library includes the disks: they must be new before it is translated.
-    for name, text in ({"poisson.slang": poisson_source()} | generate()).items():
-        path = folder / name
-        if not path.exists() or path.read_text(encoding="utf-8") != text:
-            with atomic_write(path) as temporary:
-                temporary.write_text(text, encoding="utf-8")
-            changed.append(name)
-    return changed
+    changed = [name for name, source in INCLUDED.items() if _written(folder / name, source())]
+    return changed + [name for name, text in generate().items() if _written(folder / name, text)]
+
+
+def _written(path: Path, text: str) -> bool:
+    """Write a file unless it says so already."""
+    if path.exists() and path.read_text(encoding="utf-8") == text:
+        return False
+    with atomic_write(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return True
+
+
+def _pass(name: str) -> str:
+    text = translate(f'#include "../passes/{name}.slang"', "wgsl").text
+    # Two pipelines that draw the same body must agree on its depth to the last bit.
+    return text.replace("@builtin(position)", "@invariant @builtin(position)")
 
 
 def _json(content: object) -> str:

@@ -10,9 +10,9 @@ from .._core.errors import ArgumentError
 __all__ = ["BindPoint", "bind_points", "override_ids"]
 
 VARIABLE = re.compile(
-    r"@binding\((\d+)\)\s*@group\((\d+)\)\s*var\s*(?:<[^>]*>)?\s*(\w+)\s*:\s*([\w<>, ]+);"
-    r"|@group\((\d+)\)\s*@binding\((\d+)\)\s*var\s*(?:<[^>]*>)?\s*(\w+)\s*:\s*([\w<>, ]+);"
+    r"((?:@(?:binding|group)\(\d+\)\s*){2})var\s*(?:<([^>]*)>)?\s*(\w+)\s*:\s*([\w<>, ]+);"
 )
+PLACE = re.compile(r"@(binding|group)\((\d+)\)")
 OVERRIDE = re.compile(r"@id\((\d+)\)\s*override\s+(\w+?)(?:_0)?\s*:")
 
 
@@ -26,11 +26,14 @@ class BindPoint:
         Numbers.
     kind
         Its WGSL type.
+    space
+        ``uniform`` or ``storage``, with ``, read_write`` where it says so; empty for a texture or sampler.
     """
 
     group: int
     binding: int
     kind: str
+    space: str = ""
 
 
 def bind_points(wgsl: str) -> dict[str, BindPoint]:
@@ -42,11 +45,11 @@ def bind_points(wgsl: str) -> dict[str, BindPoint]:
         If the text has none.
     """
     found = {}
-    for a in VARIABLE.finditer(wgsl):
-        binding, group, name, kind = a.group(1, 2, 3, 4)
-        if name is None:
-            group, binding, name, kind = a.group(5, 6, 7, 8)
-        found[name.removesuffix("_0")] = BindPoint(int(group), int(binding), kind.strip())
+    for places, space, name, kind in VARIABLE.findall(wgsl):
+        place = {word: int(number) for word, number in PLACE.findall(places)}
+        found[name.removesuffix("_0")] = BindPoint(
+            place["group"], place["binding"], kind.strip(), space.removesuffix(", read")
+        )
     if not found:
         raise ArgumentError("the program has no @group(…) @binding(…) variable")
     return found

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import wgpu
-from numpy.typing import NDArray
 
 from .._core.arrays import ImageArray
 
-__all__ = ["array_texture", "buffer", "mip_texture", "table_texture"]
+__all__ = ["buffer", "loaded_texture", "mip_texture", "table_texture"]
 
 USAGE = wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST
 
@@ -29,25 +28,9 @@ def mip_texture(device: wgpu.GPUDevice, levels: list[ImageArray]) -> wgpu.GPUTex
     return _texture(device, [_rgba(level) for level in levels], "rgba16float")
 
 
-def array_texture(
-    device: wgpu.GPUDevice, layers: NDArray[np.float32], *, filtered: bool
-) -> wgpu.GPUTexture:
-    """Return layers (n, H, W, 3) as filtered half floats, or (n, H, W) as float32."""
-    count, height, width = layers.shape[:3]
-    texels = _rgba(layers) if filtered else layers
-    data = np.ascontiguousarray(texels, dtype=np.float16 if filtered else np.float32)
-    texture = device.create_texture(
-        size=(width, height, count),
-        format="rgba16float" if filtered else "r32float",
-        usage=USAGE,
-    )
-    device.queue.write_texture(
-        {"texture": texture},
-        data,
-        {"bytes_per_row": data.strides[1], "rows_per_image": height},
-        (width, height, count),
-    )
-    return texture
+def loaded_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
+    """Return a picture (H, W, 3) as float32, for programs that load its texels."""
+    return _texture(device, [_rgba(values)], "rgba32float")
 
 
 def _rgba(values: ImageArray) -> ImageArray:

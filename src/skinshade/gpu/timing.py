@@ -1,4 +1,4 @@
-"""How long a pass takes on the device itself."""
+"""How long passes take on the device itself."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ import wgpu
 __all__ = ["Stopwatch"]
 
 NS_PER_MS = 1e6
+MOST_PASSES = 64
+"""Between two readings; what is beyond them goes untimed."""
 
 
 class Stopwatch:
-    """Timestamps around one pass; without the feature it measures nothing.
+    """Timestamps around passes; without the feature it measures nothing.
 
     Parameters
     ----------
@@ -24,26 +26,34 @@ class Stopwatch:
     def __init__(self, device: wgpu.GPUDevice) -> None:
         self.device = device
         self.measures = "timestamp-query" in device.features
+        self._names: list[str] = []
         if self.measures:
-            self._times = device.create_query_set(type="timestamp", count=2)
+            count = 2 * MOST_PASSES
+            self._times = device.create_query_set(type="timestamp", count=count)
             usage = wgpu.BufferUsage.QUERY_RESOLVE | wgpu.BufferUsage.COPY_SRC
-            self._ticks = device.create_buffer(size=16, usage=usage)
+            self._ticks = device.create_buffer(size=8 * count, usage=usage)
 
-    def around(self) -> dict[str, Any]:
-        """Return what a pass's descriptor needs."""
-        if not self.measures:
+    def around(self, name: str) -> dict[str, Any]:
+        """Return what the descriptor of the next pass needs."""
+        if not self.measures or len(self._names) == MOST_PASSES:
             return {}
-        ends = {"beginning_of_pass_write_index": 0, "end_of_pass_write_index": 1}
+        at = 2 * len(self._names)
+        self._names.append(name)
+        ends = {"beginning_of_pass_write_index": at, "end_of_pass_write_index": at + 1}
         return {"timestamp_writes": {"query_set": self._times, **ends}}
 
     def resolve(self, encoder: wgpu.GPUCommandEncoder) -> None:
-        """Copy the times out, after the pass and before submission."""
-        if self.measures:
-            encoder.resolve_query_set(self._times, 0, 2, self._ticks, 0)
+        """Copy the times out, after the passes and before submission."""
+        if self._names:
+            encoder.resolve_query_set(self._times, 0, 2 * len(self._names), self._ticks, 0)
 
-    def read_ms(self) -> list[float]:
-        """Return the pass's time, ms, after submission; nothing where it cannot be measured."""
-        if not self.measures:
-            return []
-        begin, end = np.frombuffer(self.device.queue.read_buffer(self._ticks), dtype=np.uint64)
-        return [(int(end) - int(begin)) / NS_PER_MS]
+    def read_ms(self) -> dict[str, list[float]]:
+        """Return the times of all passes since the last reading, ms, by name, after submission."""
+        if not self._names:
+            return {}
+        ticks = np.frombuffer(self.device.queue.read_buffer(self._ticks), dtype=np.uint64)
+        found: dict[str, list[float]] = {}
+        for name, begin, end in zip(self._names, ticks[0::2], ticks[1::2], strict=False):
+            found.setdefault(name, []).append((int(end) - int(begin)) / NS_PER_MS)
+        self._names = []
+        return found

@@ -3,13 +3,31 @@
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
 import numpy as np
 
-__all__ = ["layout", "pack"]
+__all__ = ["float_count", "kind_of", "layout", "pack"]
+
+KINDS = {1: "float", 2: "float2", 3: "float4", 4: "float4"}
+"""Three numbers take the room of four: a float3 stands elsewhere in every language."""
+
+
+def kind_of(value: Any) -> str:
+    """Return the shader's type of a field with this value: a number, a vector, or rows of vectors."""
+    shape = np.shape(value)
+    kind = KINDS[shape[-1] if shape else 1]
+    return f"{kind}[{shape[0]}]" if len(shape) == 2 else kind
+
+
+def float_count(kind: str) -> int:
+    """Return how many floats a type takes."""
+    found = re.fullmatch(r"float(\d?)(?:\[(\d+)\])?", kind)
+    assert found is not None, kind
+    return int(found.group(1) or 1) * int(found.group(2) or 1)
 
 
 @cache
@@ -33,7 +51,9 @@ def pack(block: str, instance: Any) -> bytes:
     described = layout()[block]
     data = np.zeros(described["size"] // 4, dtype="<f4")
     for name, field in described["fields"].items():
-        value = np.atleast_1d(np.asarray(getattr(instance, name), dtype="<f4"))
+        rows = np.atleast_2d(np.asarray(getattr(instance, name), dtype="<f4"))
+        room = np.zeros((rows.shape[0], float_count(field["kind"]) // rows.shape[0]), dtype="<f4")
+        room[:, : rows.shape[1]] = rows
         start = field["offset"] // 4
-        data[start : start + value.size] = value
+        data[start : start + room.size] = room.ravel()
     return data.tobytes()

@@ -18,6 +18,7 @@ from .cpu.geometry import Geometry, build_geometry
 from .cpu.shadow_map import FILTER_TAPS, ShadowMap, hemisphere_disk, render_shadow_map
 from .cpu.sky import SkyLight, sky_light
 from .cpu.texture import Texture, build_texture
+from .light_view import LightView
 
 __all__ = ["PreparedScene"]
 
@@ -39,13 +40,10 @@ class PreparedScene:
         self._progress = progress
 
     def prepare(self) -> None:
-        """Make everything now."""
-        # Made here, in one thread and in this order, so that no two chunks make them twice.
-        for name in ("sky", "geometry", "textures", "shadow_maps"):
+        """Make now what every backend needs."""
+        for name in ("sky", "geometry", "textures"):
             self._progress("preparing", 0.0)
             getattr(self, name)
-        skin = self.skin
-        _ = (skin.sphere, skin.ring, skin.shadow, skin.blend)
 
     @cached_property
     def sky(self) -> SkyLight | None:
@@ -65,6 +63,11 @@ class PreparedScene:
     def geometry(self) -> Geometry:
         """Everything that shading interpolates."""
         return build_geometry(self.scene.mesh, self.skin.profile, self.sky)
+
+    @cached_property
+    def light_views(self) -> list[tuple[Light, LightView]]:
+        """Each light, and how it sees the body."""
+        return [(light, LightView.of(light, self.scene.mesh)) for light in self.scene.lights]
 
     @cached_property
     def shadow_maps(self) -> list[tuple[Light, ShadowMap]]:

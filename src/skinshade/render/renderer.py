@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol, get_args
+from typing import Literal, Protocol, TypeVar, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._core.arrays import FloatArray, ImageArray
 from .._core.errors import ArgumentError, BackendError
 from .._core.progress import Progress, silent
 from ..scene import Camera, Scene
 from ..shading.compose import TERMS, ShadingMode, Tier
-from ..shading.tonemap import srgb_from_linear, tonemap
+from ..shading.tonemap import ToneMap, tonemap
+from .cpu.shadow_map import ShadowFilter
 
 __all__ = [
     "DEBUG_VIEWS",
@@ -26,9 +28,14 @@ __all__ = [
     "render",
 ]
 
+Picture = TypeVar("Picture")
 Backend = Literal["auto", "gpu", "cpu"]
+Antialiasing = Literal["supersampling", "multisampling"]
 SHADINGS: tuple[ShadingMode, ...] = get_args(ShadingMode)
 TIERS: tuple[Tier, ...] = get_args(Tier)
+SHADOW_FILTERS: tuple[ShadowFilter, ...] = get_args(ShadowFilter)
+MULTISAMPLES = 4
+"""Samples a pixel with ``multisampling``."""
 
 GEOMETRY_VIEWS = ("normal", "blurred-normal", "curvature", "thickness", "shadow", "albedo")
 TERM_VIEWS = {term.replace("_", "-"): term for term in TERMS}
@@ -48,6 +55,13 @@ class RenderSettings:
         Geometry that ``transfer`` uses: ``scalar``, ``tensor`` or ``diffused-normals``.
     deep_scatter_taps
         0 (off), 8 or 32.
+    normal_fetches
+        Of the normal map: 3 (sharp and two blurs) or 2 (sharp and one).
+    shadow_filter
+        ``percentage-closer`` or ``variance``, both as wide.
+    antialiasing
+        ``supersampling`` shades every sample; with ``multisampling`` a GPU shades once a pixel, filters
+        maps along its footprint, and finds edges from 4 samples (the CPU shades those 4).
     debug_view
         One of `DEBUG_VIEWS`, or None for the picture.
     seed
@@ -57,6 +71,9 @@ class RenderSettings:
     shading: ShadingMode = "transfer"
     tier: Tier = "diffused-normals"
     deep_scatter_taps: int = 8
+    normal_fetches: int = 3
+    shadow_filter: ShadowFilter = "percentage-closer"
+    antialiasing: Antialiasing = "supersampling"
     debug_view: str | None = None
     seed: int = 0
 
@@ -65,6 +82,9 @@ class RenderSettings:
             ("shading", self.shading, SHADINGS),
             ("tier", self.tier, TIERS),
             ("deep_scatter_taps", self.deep_scatter_taps, (0, 8, 32)),
+            ("normal_fetches", self.normal_fetches, (2, 3)),
+            ("shadow_filter", self.shadow_filter, SHADOW_FILTERS),
+            ("antialiasing", self.antialiasing, get_args(Antialiasing)),
             ("debug_view", self.debug_view, (None, *DEBUG_VIEWS)),
         ):
             if value not in allowed:
@@ -80,7 +100,15 @@ class RenderSettings:
 
 
 class Renderer(Protocol):
-    """A scene made ready: what does not depend on the camera is computed once."""
+    """A scene made ready: what does not depend on the camera is computed once.
+
+    Attributes
+    ----------
+    scene
+        What is drawn.
+    """
+
+    scene: Scene
 
     @property
     def place(self) -> str:
@@ -90,11 +118,6 @@ class Renderer(Protocol):
     def timings_ms(self) -> dict[str, list[float]]:
         """Time of every pass so far on the device itself, ms, by its name; empty where none can be had."""
 
-    def draw(
-        self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
-    ) -> ImageArray:
-        """Return (H, W, 4) linear light and coverage."""
-
     def draw_each(
         self,
         camera: Camera,
@@ -102,7 +125,23 @@ class Renderer(Protocol):
         samples: int,
         ways: Sequence[RenderSettings],
     ) -> list[ImageArray]:
-        """Return a picture for each of the settings, which share the first one's seed."""
+        """Return (H, W, 4) linear light and coverage for each way, which share the first one's seed."""
+
+    def draw(
+        self, camera: Camera, size: tuple[int, int], samples: int, way: RenderSettings
+    ) -> ImageArray:
+        """Return (H, W, 4) linear light and coverage."""
+        return self.draw_each(camera, size, samples, [way])[0]
+
+    def draw_shown(
+        self, camera: Camera, size: tuple[int, int], samples: int, way: RenderSettings
+    ) -> NDArray[np.uint8]:
+        """Return (H, W, 3) display values in eight bits, through the scene's tone curve."""
+        picture = self.draw(camera, size, samples, way)
+        shown: NDArray[np.uint8] = np.rint(display(picture, self.scene, way) * 255.0).astype(
+            np.uint8
+        )
+        return shown
 
 
 def open_renderer(
@@ -148,7 +187,7 @@ def open_renderer(
     return WithFallback(found, lambda: CpuRenderer(scene, progress))
 
 
-class WithFallback:
+class WithFallback(Renderer):
     """A renderer, and another for when its device is lost or out of memory.
 
     Parameters
@@ -161,6 +200,7 @@ class WithFallback:
 
     def __init__(self, first: Renderer, then: Callable[[], Renderer]) -> None:
         self._now, self._then = first, then
+        self.scene = first.scene
 
     @property
     def place(self) -> str:
@@ -172,12 +212,6 @@ class WithFallback:
         """Of what draws now."""
         return self._now.timings_ms
 
-    def draw(
-        self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
-    ) -> ImageArray:
-        """Return (H, W, 4) linear light and coverage."""
-        return self.draw_each(camera, size, samples, [settings])[0]
-
     def draw_each(
         self,
         camera: Camera,
@@ -185,12 +219,21 @@ class WithFallback:
         samples: int,
         ways: Sequence[RenderSettings],
     ) -> list[ImageArray]:
-        """Return a picture for each of the settings."""
+        """Return a picture for each way."""
+        return self._drawn(lambda now: now.draw_each(camera, size, samples, ways))
+
+    def draw_shown(
+        self, camera: Camera, size: tuple[int, int], samples: int, way: RenderSettings
+    ) -> NDArray[np.uint8]:
+        """Return display values."""
+        return self._drawn(lambda now: now.draw_shown(camera, size, samples, way))
+
+    def _drawn(self, work: Callable[[Renderer], Picture]) -> Picture:
         try:
-            return self._now.draw_each(camera, size, samples, ways)
+            return work(self._now)
         except BackendError:
             self._now = self._then()
-            return self._now.draw_each(camera, size, samples, ways)
+            return work(self._now)
 
 
 def _gpu_renderer(
@@ -250,10 +293,14 @@ def render(
 
 def display(image: ImageArray, scene: Scene, settings: RenderSettings) -> FloatArray:
     """Return display values (H, W, 3) of a rendered image: the scene's tone, none for geometry."""
-    light = image[..., :3].astype(np.float64)
+    return tonemap(image[..., :3].astype(np.float64), *tone_of(scene, settings))
+
+
+def tone_of(scene: Scene, settings: RenderSettings) -> tuple[ToneMap, float]:
+    """Return the tone curve of a picture and its exposure: the scene's, none for geometry."""
     if settings.debug_view in GEOMETRY_VIEWS:
-        return srgb_from_linear(light)
-    return tonemap(light, scene.tone, scene.exposure)
+        return "srgb", 1.0
+    return scene.tone, scene.exposure
 
 
 def sample_offsets(samples: int, seed: int) -> list[tuple[float, float]]:

@@ -11,39 +11,21 @@ from numpy.typing import ArrayLike
 
 from .._core.arrays import FloatArray, ImageArray, as_floats, as_rgb
 from .._core.errors import ArgumentError
+from ..shading.ambient import sh_basis
+from ..shading.image_light import (
+    LEVEL_SIZE,
+    LOBE_POWERS,
+    PreconvolvedRadiance,
+    bilinear,
+    equirectangular_uv,
+)
 from .images import read_linear
 
-__all__ = ["Environment", "PreconvolvedRadiance"]
+__all__ = ["Environment"]
 
 BANDS = 64
 """Harmonics kept for reflections: a Phong lobe of power p needs about 2√(p+1) of them."""
-POWERS = (1.0, 4.0, 16.0, 64.0, 256.0)
-"""Phong powers of the preconvolved levels; a Blinn-Phong power n reflects like n/4 [Walter2007]."""
-LEVEL_SIZE = (128, 64)
 WORK_SIZE = (256, 128)
-
-
-@dataclass(frozen=True)
-class PreconvolvedRadiance:
-    """Radiance averaged over Phong lobes around every direction, a level for each of `POWERS`.
-
-    Attributes
-    ----------
-    levels
-        (n, H, W, 3).
-    """
-
-    levels: ImageArray
-
-    def sample(self, directions: FloatArray, power: FloatArray) -> FloatArray:
-        """Return (..., 3) radiance around unit directions (..., 3) for Phong powers (...)."""
-        level = np.log(np.maximum(power, POWERS[0])) / np.log(POWERS[1])
-        level = np.clip(level, 0.0, self.levels.shape[0] - 1.0)
-        low = np.minimum(level.astype(np.int64), self.levels.shape[0] - 2)
-        share = (level - low)[..., None]
-        u, v = equirectangular_uv(directions)
-        sharp = _bilinear(self.levels, low + 1, u, v)
-        return _bilinear(self.levels, low, u, v) * (1.0 - share) + sharp * share
 
 
 @dataclass(frozen=True)
@@ -157,7 +139,7 @@ class Environment:
         directions = _grid_directions(height, width).reshape(-1, 3)
         weights = np.repeat(_row_solid_angle(height) / width, width)
         return self.scale * np.einsum(
-            "nb,n,nc->bc", _low_basis(directions), weights, picture.reshape(-1, 3)
+            "nb,n,nc->bc", sh_basis(directions), weights, picture.reshape(-1, 3)
         )
 
     @cached_property
@@ -170,7 +152,7 @@ class Environment:
         levels = []
         analysis, synthesis = _zonal_machinery(picture.shape[0], LEVEL_SIZE[1])
         spectrum = np.fft.rfft(picture, axis=1)[:, : BANDS + 1] / picture.shape[1]
-        for power in POWERS:
+        for power in LOBE_POWERS:
             lobe = nodes**power
             damping = np.polynomial.legendre.legvander(nodes, BANDS).T @ (weights * lobe)
             damping /= weights @ lobe
@@ -187,14 +169,7 @@ class Environment:
         """Return radiance (..., 3) from unit directions (..., 3), bilinear."""
         u, v = equirectangular_uv(directions)
         picture = self.radiance[None]
-        return self.scale * _bilinear(picture, np.zeros(u.shape, dtype=np.int64), u, v)
-
-
-def equirectangular_uv(directions: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return u, v (...) in 0..1 of unit directions (..., 3)."""
-    u = 0.5 + np.arctan2(directions[..., 2], directions[..., 0]) / (2.0 * np.pi)
-    v = np.arccos(np.clip(directions[..., 1], -1.0, 1.0)) / np.pi
-    return u, v
+        return self.scale * bilinear(picture, np.zeros(u.shape, dtype=np.int64), u, v)
 
 
 def _grid_directions(height: int, width: int) -> FloatArray:
@@ -235,12 +210,6 @@ def _mean_between(values: FloatArray, edges: FloatArray, wanted: FloatArray) -> 
     return np.diff(read, axis=0) / np.diff(wanted)[:, None, None]
 
 
-def _low_basis(directions: FloatArray) -> FloatArray:
-    from ..shading.ambient import sh_basis
-
-    return sh_basis(directions)
-
-
 def _zonal_machinery(rows_in: int, rows_out: int) -> tuple[list[FloatArray], list[FloatArray]]:
     """Matrices from rows to harmonics of each order m, and back: (l, rows) each."""
     x_in = np.cos((np.arange(rows_in) + 0.5) / rows_in * np.pi)
@@ -275,20 +244,3 @@ def _shifted_to_centres(rows: FloatArray, width_in: int) -> FloatArray:
     turn = (0.5 / width_out - 0.5 / width_in) * np.arange(width_out // 2 + 1)
     phase = np.exp(2j * np.pi * turn)[None, :, None]
     return np.fft.irfft(np.fft.rfft(rows, axis=1) * phase, n=width_out, axis=1)
-
-
-def _bilinear(
-    levels: ImageArray,
-    level: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
-    u: FloatArray,
-    v: FloatArray,
-) -> FloatArray:
-    _, height, width, _ = levels.shape
-    x, y = u * width - 0.5, np.clip(v * height - 0.5, 0.0, height - 1.0)
-    x0, y0 = np.floor(x).astype(np.int64), np.minimum(y.astype(np.int64), height - 2)
-    fx, fy = (x - x0)[..., None], (y - y0)[..., None]
-    left, right = x0 % width, (x0 + 1) % width
-    top = levels[level, y0, left] * (1.0 - fx) + levels[level, y0, right] * fx
-    bottom = levels[level, y0 + 1, left] * (1.0 - fx) + levels[level, y0 + 1, right] * fx
-    result: FloatArray = top * (1.0 - fy) + bottom * fy
-    return result

@@ -6,12 +6,13 @@ import os
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._core.arrays import FloatArray, ImageArray
-from .._core.errors import ArgumentError, ImageFileError
+from .._core.errors import ImageFileError
 from .._core.pixels import read_pixels, write_pixels
 
-__all__ = ["read_image", "read_linear", "write_exr", "write_image", "write_png"]
+__all__ = ["read_image", "read_linear", "write_exr", "write_png"]
 
 
 def read_image(path: str | os.PathLike[str], channels: int = 3) -> ImageArray:
@@ -46,26 +47,10 @@ def read_linear(path: str | os.PathLike[str]) -> ImageArray:
     return result
 
 
-def write_image(path: str | os.PathLike[str], linear: ImageArray, display: FloatArray) -> None:
-    """Write ``.png`` from display values or ``.exr`` from linear ones.
-
-    Raises
-    ------
-    ArgumentError, OutputError
-        If the suffix is another, or the place cannot be written.
-    """
-    suffix = Path(path).suffix.lower()
-    if suffix == ".png":
-        write_png(path, display)
-    elif suffix == ".exr":
-        write_exr(path, linear)
-    else:
-        raise ArgumentError(f"{path}: suffix {suffix!r}; a picture is saved as .png or .exr")
-
-
-def write_png(path: str | os.PathLike[str], display: FloatArray) -> None:
-    """Write display values 0..1 (H, W, 3 or 4) as 8-bit PNG."""
-    write_pixels(path, np.rint(np.clip(display, 0.0, 1.0) * 255.0).astype(np.uint8))
+def write_png(path: str | os.PathLike[str], display: FloatArray | NDArray[np.uint8]) -> None:
+    """Write display values (H, W, 3 or 4), 0..1 or already in eight bits, as 8-bit PNG."""
+    unit = 1.0 if display.dtype == np.uint8 else 255.0
+    write_pixels(path, np.rint(np.clip(display * unit, 0.0, 255.0)).astype(np.uint8))
 
 
 def write_exr(path: str | os.PathLike[str], linear: ImageArray) -> None:

@@ -76,7 +76,7 @@ def _seen_normals(skin: Skin, surface: Surface, mode: ShadingMode) -> FloatArray
         return np.repeat(surface.sharp[:, None], 3, axis=1)
     if mode == "classic":
         return classic.ambient_normals(surface.sharp, surface.blurred)
-    return normals.blend_normals(surface.fetched, skin.blend)
+    return normals.blend_normals(surface.fetched, skin.blend(surface.fetched.shape[1]))
 
 
 def _lambert(

@@ -20,7 +20,7 @@ class Surface:
     mesh_normal
         (N, 3) unit, interpolated.
     fetched
-        (N, n+1, 3) normal map at each blur of ``Skin.blend``, sharp first, in world axes.
+        (N, 2 or 3, 3) normal map at each blur of ``Skin.blend``, sharp first, in world axes.
     curvature_per_mm
         (N,) mean curvature.
     albedo

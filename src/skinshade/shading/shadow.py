@@ -8,10 +8,12 @@ from .._core.arrays import FloatArray
 from ..lut import Lut
 from ..lut.shadow import inverse_smoothstep
 
-__all__ = ["diffused_shadow", "sharpened_shadow", "smoothstep"]
+__all__ = ["diffused_shadow", "sharpened_shadow", "smoothstep", "variance_shadow"]
 
 LEAST_COSINE = 0.05
 """Below this N·L the filter's footprint on the surface is wider than any table and light is scarce."""
+LEAST_VARIANCE_MM2 = 0.01
+"""A tenth of a mm of spread: what rounding leaves of a flat wall's variance, and more."""
 
 
 def smoothstep(p: FloatArray) -> FloatArray:
@@ -44,3 +46,24 @@ def diffused_shadow(
 def sharpened_shadow(shadow_filter: FloatArray, sharpening: float) -> FloatArray:
     """Return the wide filter's edge made `sharpening` times narrower, about its middle (...)."""
     return smoothstep((inverse_smoothstep(shadow_filter) - 0.5) * sharpening + 0.5)
+
+
+def variance_shadow(
+    mean_depth_mm: FloatArray, mean_square_depth_mm2: FloatArray, depth_mm: FloatArray
+) -> FloatArray:
+    """Return the greatest share (...) of blurred occluders that can lie behind a receiver [Donnelly2006].
+
+    Chebyshev's bound, which two walls reach: with a receiver on the far one it is the share of the far one.
+
+    Parameters
+    ----------
+    mean_depth_mm, mean_square_depth_mm2
+        (...) of depths and of their squares, blurred.
+    depth_mm
+        (...) of the receiver, from the same origin.
+    """
+    variance = mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm
+    variance = np.maximum(variance, LEAST_VARIANCE_MM2)
+    behind = np.maximum(depth_mm - mean_depth_mm, 0.0)
+    result: FloatArray = variance / (variance + behind * behind)
+    return result

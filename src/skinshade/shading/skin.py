@@ -80,10 +80,15 @@ class Skin:
             self.profile, size=(512, 64), sharpening=self.params.shadow_sharpening
         )
 
+    def blend(self, fetches: int = 3) -> NormalBlend:
+        """Return the weights of 2 or 3 normal fetches."""
+        if fetches not in self._blends:
+            self._blends[fetches] = normals.normal_blend(self.profile, fetches=fetches)
+        return self._blends[fetches]
+
     @cached_property
-    def blend(self) -> NormalBlend:
-        """Weights of the normal fetches."""
-        return normals.normal_blend(self.profile)
+    def _blends(self) -> dict[int, NormalBlend]:
+        return {}
 
     @property
     def sigma_per_mm(self) -> FloatArray:

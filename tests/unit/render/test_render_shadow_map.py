@@ -28,14 +28,15 @@ def wall(reach):
     return Mesh.checked(np.concatenate([floor, roof]), faces, unit_mm=1.0)
 
 
-def across_edge(light, reach, width, edge_at=0.0, stretch=1.0):
+def across_edge(light, reach, width, edge_at=0.0, stretch=1.0, kind="percentage-closer"):
     """The filter along x on the floor around an edge, at `ALONG`·stretch from it."""
     points = np.zeros((ALONG.size, 3))
     points[:, 0], points[:, 1] = edge_at + stretch * ALONG, 0.3
     normals = np.tile([0.0, 0.0, 1.0], (ALONG.size, 1))
     to_light, _ = light.at(points)
     shadow_map = render_shadow_map(light, wall(reach))
-    return shadow_map.shadow_filter(points, normals, to_light, np.zeros(ALONG.size), width)
+    flat = np.zeros(ALONG.size)
+    return shadow_map.shadow_filter(points, normals, to_light, flat, width, kind)
 
 
 @pytest.mark.parametrize("light", [ABOVE, LAMP], ids=["parallel", "lamp"])
@@ -49,6 +50,17 @@ def test_past_a_straight_edge_the_filter_is_a_smoothstep_of_its_width_in_mm(ligh
     assert (found[0.5 * width + 1.0 < ALONG] == 1.0).all()
     middle = ALONG[np.argmin(np.abs(found - 0.5))]
     assert abs(middle) <= 0.5, "the edge lies where the roof ends"
+
+
+@pytest.mark.parametrize("light", [ABOVE, LAMP], ids=["parallel", "lamp"])
+@pytest.mark.parametrize("reach", [60.0, 150.0])
+@pytest.mark.parametrize("width", [4.0, 10.0])
+def test_the_variance_filter_passes_for_the_same_smoothstep(light, reach, width):
+    """A Gaussian is all but one; a lamp's texels are taken as in the body's middle."""
+    found = across_edge(light, reach, width, kind="variance")
+    assert np.abs(found - smoothstep(ALONG / width + 0.5)).max() <= tol.VARIANCE_PROFILE.value
+    assert (found[-width > ALONG] < 0.01).all()
+    assert (found[width < ALONG] > 0.99).all()
 
 
 def test_the_width_is_measured_across_the_light():

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 import shading_tolerances as tol
 from skinshade._core.errors import ArgumentError, ImageFileError
 from skinshade.scene import Environment
-from skinshade.scene.environment import POWERS, equirectangular_uv
 from skinshade.scene.images import write_exr
 from skinshade.shading.ambient import ambient_irradiance
+from skinshade.shading.image_light import LOBE_POWERS, equirectangular_uv
 
 SEED = st.integers(0, 2**20)
 
@@ -116,19 +116,19 @@ def test_across_its_seam_a_map_is_continuous():
     assert np.allclose(one, other, atol=tol.BILINEAR.value)
 
 
-@pytest.mark.parametrize("power", POWERS)
+@pytest.mark.parametrize("power", LOBE_POWERS)
 def test_reflections_keep_the_mean(studio, power):
-    level = studio.preconvolved.levels[POWERS.index(power)]
+    level = studio.preconvolved.levels[LOBE_POWERS.index(power)]
     assert np.allclose(mean(level), mean(studio.radiance), rtol=tol.LEVEL_MEAN.value)
 
 
-@pytest.mark.parametrize("power", POWERS)
+@pytest.mark.parametrize("power", LOBE_POWERS)
 def test_an_even_sky_is_reflected_evenly(power):
     found = Environment.constant(2.0).preconvolved.sample(directions(5), np.full(50, power))
     assert np.abs(found / 2.0 - 1.0).max() <= tol.EVEN_REFLECTION.value
 
 
-@pytest.mark.parametrize("power", POWERS[:4])
+@pytest.mark.parametrize("power", LOBE_POWERS[:4])
 def test_a_reflection_is_the_mean_over_a_phong_lobe(studio, power):
     to_all, solid = grid(*studio.radiance.shape[:2])
     d = directions(6)

@@ -5,7 +5,7 @@ import pytest
 import shading_tolerances as tol
 from skinshade._core.errors import ArgumentError, ImageFileError, OutputError, SkinshadeError
 from skinshade.scene import Material
-from skinshade.scene.images import read_image, read_linear, write_exr, write_image, write_png
+from skinshade.scene.images import read_image, read_linear, write_exr, write_png
 from skinshade.scene.maps import read_normal_map
 from skinshade.shading.tonemap import linear_from_srgb
 
@@ -129,18 +129,19 @@ def test_pictures_come_back_as_they_were_written(tmp_path):
     rng = np.random.default_rng(5)
     linear = (rng.random((5, 7, 4)) * 3.0).astype(np.float32)
     display = rng.random((5, 7, 3))
-    write_image(tmp_path / "a.exr", linear, display)
-    write_image(tmp_path / "a.png", linear, display)
+    write_exr(tmp_path / "a.exr", linear)
+    write_png(tmp_path / "a.png", display)
     assert np.array_equal(read_image(tmp_path / "a.exr", 4), linear)
     assert np.abs(read_image(tmp_path / "a.png") - display).max() <= 0.5 / 255.0 + 1e-6
     write_png(tmp_path / "b.png", np.array([[[-1.0, 0.5, 2.0]]]))
     assert np.allclose(read_image(tmp_path / "b.png") * 255.0, [[[0, 128, 255]]])
+    eight_bits = np.array([[[0, 127, 255]]], dtype=np.uint8)
+    write_png(tmp_path / "c.png", eight_bits)
+    assert np.array_equal(np.rint(read_image(tmp_path / "c.png") * 255.0), eight_bits)
 
 
-def test_a_place_or_a_kind_that_cannot_be_written_is_named(tmp_path):
+def test_a_place_that_cannot_be_written_is_named(tmp_path):
     picture = np.zeros((2, 2, 4), dtype=np.float32)
-    with pytest.raises(ArgumentError, match=r"a\.tiff: suffix '\.tiff'"):
-        write_image(tmp_path / "a.tiff", picture, picture[..., :3])
     with pytest.raises(OutputError, match=r"a\.exr: there is no folder"):
         write_exr(tmp_path / "gone" / "a.exr", picture)
     assert list(tmp_path.iterdir()) == []

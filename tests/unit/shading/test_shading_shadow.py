@@ -8,9 +8,11 @@ from skinshade.lut import build_shadow_lut
 from skinshade.profile import Profile
 from skinshade.shading.shadow import (
     LEAST_COSINE,
+    LEAST_VARIANCE_MM2,
     diffused_shadow,
     sharpened_shadow,
     smoothstep,
+    variance_shadow,
 )
 
 WIDTH_MM, SHARPENING = 8.0, 8.0
@@ -114,3 +116,23 @@ def test_a_straight_shadow_is_the_profile_convolved_with_the_edge():
     near = np.abs(x) < 15.0
     seen = diffused_shadow(lut, smoothstep(x[near] / 60.5 + 0.5), np.ones(near.sum()), 60.5)
     assert np.abs(seen - blurred[: x.size][near]).max() <= tol.SHADOW_FFT.value
+
+
+@given(st.floats(0.02, 0.98), st.floats(2.0, 100.0), st.floats(-50.0, 50.0))
+def test_behind_two_walls_the_variance_bound_is_the_share_of_the_far_one(share, gap, near):
+    """Chebyshev's bound is reached: the receiver lies on the far wall, as a floor under a roof does."""
+    far = near + gap
+    mean = (1.0 - share) * near + share * far
+    square = (1.0 - share) * near**2 + share * far**2
+    found = variance_shadow(np.array(mean), np.array(square), np.array(far))
+    assert found == pytest.approx(share, abs=LEAST_VARIANCE_MM2)
+
+
+@given(st.floats(-100.0, 100.0), st.floats(0.0, 400.0), st.floats(0.0, 50.0))
+def test_a_receiver_before_the_mean_is_lit_and_farther_behind_it_darker(mean, spread, behind):
+    square = mean * mean + spread
+    depths = mean + np.array([-behind, 0.0, behind, 2.0 * behind, 1e4])
+    found = variance_shadow(np.full(5, mean), np.full(5, square), depths)
+    assert (found[:2] == 1.0).all()
+    assert (np.diff(found[1:]) <= 0.0).all()
+    assert 0.0 < found[-1] <= (spread + LEAST_VARIANCE_MM2 + 1e-9) / 9e7

@@ -11,17 +11,18 @@ import numpy as np
 
 from ..._core.arrays import FloatArray, ImageArray, dot, unit_vectors
 from ..._core.progress import Progress, silent
-from ...scene import Camera, Environment, Light, Scene
+from ...scene import Camera, Light, Scene
 from ...shading import specular
 from ...shading.compose import shade
+from ...shading.image_light import reflected_radiance
 from ...shading.normals import blur_level
 from ...shading.pixel import Ambient, Incident, Surface
 from ..prepared import PreparedScene
-from ..renderer import RenderSettings, sample_offsets
+from ..renderer import Renderer, RenderSettings, sample_offsets
 from .debug import debug_image
 from .geometry import Columns
 from .raster import Fragments, rasterize
-from .shadow_map import ShadowMap
+from .shadow_map import ShadowFilter, ShadowMap
 
 __all__ = ["CpuRenderer"]
 
@@ -31,7 +32,7 @@ DARK_BEYOND = -0.6
 """N·L below which no table holds light of its own, so that no shadow need be filtered."""
 
 
-class CpuRenderer:
+class CpuRenderer(Renderer):
     """A scene made ready for the CPU.
 
     Parameters
@@ -44,16 +45,18 @@ class CpuRenderer:
 
     def __init__(self, scene: Scene, progress: Progress = silent) -> None:
         self.scene = scene
-        self.place = "the CPU"
-        self.timings_ms: dict[str, list[float]] = {}
         self.prepared = PreparedScene(scene, progress)
         self._progress = progress
 
-    def draw(
-        self, camera: Camera, size: tuple[int, int], samples: int, settings: RenderSettings
-    ) -> ImageArray:
-        """Return (H, W, 4) linear light and coverage."""
-        return self.draw_each(camera, size, samples, [settings])[0]
+    @property
+    def place(self) -> str:
+        """The processor."""
+        return "the CPU"
+
+    @property
+    def timings_ms(self) -> dict[str, list[float]]:
+        """None: there are no passes on a device."""
+        return {}
 
     def draw_each(
         self,
@@ -65,7 +68,7 @@ class CpuRenderer:
         """Return a picture for each way to shade; what they see is found once."""
         width, height = size
         clip = self._clip(camera, size)
-        self.prepared.prepare()
+        self._prepare(ways)
         totals = np.zeros((len(ways), height * width, 3))
         coverage = np.zeros(height * width)
         workers = max(1, os.cpu_count() or 1)
@@ -89,6 +92,17 @@ class CpuRenderer:
             pictures.append(picture.reshape(height, width, 4).astype(np.float32))
         return pictures
 
+    def _prepare(self, ways: Sequence[RenderSettings]) -> None:
+        """Make everything here, in one thread, so that no two chunks make it twice."""
+        self.prepared.prepare()
+        skin = self.prepared.skin
+        _ = (skin.sphere, skin.ring, skin.shadow)
+        for way in ways:
+            skin.blend(way.normal_fetches)
+            for _, shadow_map in self.prepared.shadow_maps:
+                if way.shadow_filter == "variance":
+                    shadow_map.moments(skin.params.shadow_filter_width_mm)
+
     def _clip(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
         matrix = camera.view_projection(size[0] / size[1])
         return self.scene.mesh.positions_mm @ matrix[:, :3].T + matrix[:, 3]
@@ -101,24 +115,38 @@ class CpuRenderer:
         ways: Sequence[RenderSettings],
     ) -> list[FloatArray]:
         columns = self.prepared.geometry.interpolated(chunk.face, chunk.barycentric)
-        surface = self._surface(chunk, columns, camera, samples)
-        shadowed = [
-            self._incident(light, shadow_map, columns, surface)
-            for light, shadow_map in self.prepared.shadow_maps
-        ]
-        through = {
+        surfaces = {
+            fetches: self._surface(chunk, columns, camera, samples, fetches)
+            for fetches in {way.normal_fetches for way in ways}
+        }
+        surface = next(iter(surfaces.values()))
+        shadowed = {
+            kind: [
+                self._incident(light, shadow_map, columns, surface, kind)
+                for light, shadow_map in self.prepared.shadow_maps
+            ]
+            for kind in {way.shadow_filter for way in ways}
+        }
+        thickness = {
             taps: [
-                self._with_thickness(incident, shadow_map, columns, surface, taps)
+                self._thickness(incident, shadow_map, columns, surface, taps)
                 for incident, (_, shadow_map) in zip(
-                    shadowed, self.prepared.shadow_maps, strict=True
+                    next(iter(shadowed.values())), self.prepared.shadow_maps, strict=True
                 )
             ]
             for taps in {way.thickness_taps for way in ways}
         }
         surroundings = self._surroundings(columns, surface)
-        return [
-            self._shaded(surface, through[way.thickness_taps], surroundings, way) for way in ways
-        ]
+        pictures = []
+        for way in ways:
+            lights = [
+                replace(incident, thickness_mm=thick)
+                for incident, thick in zip(
+                    shadowed[way.shadow_filter], thickness[way.thickness_taps], strict=True
+                )
+            ]
+            pictures.append(self._shaded(surfaces[way.normal_fetches], lights, surroundings, way))
+        return pictures
 
     def _shaded(
         self,
@@ -139,7 +167,9 @@ class CpuRenderer:
         total: FloatArray = np.sum(list(terms.values()), axis=0)
         return total
 
-    def _surface(self, chunk: Fragments, columns: Columns, camera: Camera, samples: int) -> Surface:
+    def _surface(
+        self, chunk: Fragments, columns: Columns, camera: Camera, samples: int, fetches: int
+    ) -> Surface:
         params = self.prepared.skin.params
         # Between vertices that turn, interpolation shortens normals; that is no relief.
         length = np.maximum(np.sqrt(dot(columns["normal"], columns["normal"])), 1e-3)
@@ -173,7 +203,7 @@ class CpuRenderer:
             if "deep_scatter" in self.prepared.textures
             else np.ones((ones.size, 3))
         )
-        fetched = self._fetched_normals(columns, normal, uv, along_x, along_y)
+        fetched = self._fetched_normals(columns, normal, uv, along_x, along_y, fetches)
         gloss = specular.gloss_of_relief(gloss, np.sqrt(dot(fetched[:, 0], fetched[:, 0])))
         return Surface(
             view=unit_vectors(camera.position_mm - columns["position"]),
@@ -196,8 +226,9 @@ class CpuRenderer:
         uv: FloatArray,
         along_x: FloatArray,
         along_y: FloatArray,
+        fetches: int,
     ) -> FloatArray:
-        sigmas = self.prepared.skin.blend.sigmas_mm
+        sigmas = self.prepared.skin.blend(fetches).sigmas_mm
         if "normal" not in self.prepared.textures:
             return np.repeat(normal[:, None], sigmas.size + 1, axis=1)
         texture = self.prepared.textures["normal"]
@@ -217,7 +248,12 @@ class CpuRenderer:
         return np.stack(fetched, axis=1)
 
     def _incident(
-        self, light: Light, shadow_map: ShadowMap, columns: Columns, surface: Surface
+        self,
+        light: Light,
+        shadow_map: ShadowMap,
+        columns: Columns,
+        surface: Surface,
+        kind: ShadowFilter,
     ) -> Incident:
         position, normal = columns["position"], surface.mesh_normal
         to_light, irradiance = light.at(position)
@@ -230,19 +266,20 @@ class CpuRenderer:
             to_light[lit],
             surface.curvature_per_mm[lit],
             self.prepared.skin.params.shadow_filter_width_mm,
+            kind,
         )
         return Incident(to_light, irradiance / np.pi, shadow_filter)
 
-    def _with_thickness(
+    def _thickness(
         self,
         incident: Incident,
         shadow_map: ShadowMap,
         columns: Columns,
         surface: Surface,
         taps: int,
-    ) -> Incident:
+    ) -> FloatArray | None:
         if not taps:
-            return incident
+            return None
         params = self.prepared.skin.params
         cosine = dot(surface.mesh_normal, incident.to_light)
         behind = np.flatnonzero(cosine < 0.5)
@@ -254,29 +291,20 @@ class CpuRenderer:
             params.deep_scatter_filter_mm,
             taps,
         )
-        return replace(incident, thickness_mm=thickness)
+        return thickness
 
     def _surroundings(self, columns: Columns, surface: Surface) -> Ambient | None:
         environment = self.scene.environment
         if environment is None:
             return None
+        mirror = specular.reflected(surface.sharp, surface.view)
         return Ambient(
             environment.radiance_sh,
             columns["visibility"],
             columns["bounced"],
-            _two_lobes(environment, surface),
+            reflected_radiance(environment.preconvolved, mirror, surface.gloss),
             columns["through"],
         )
-
-
-def _two_lobes(environment: Environment, surface: Surface) -> FloatArray:
-    mirror = specular.reflected(surface.sharp, surface.view)
-    power = specular.specular_power(surface.gloss)
-    share = specular.SHARP_LOBE_SHARE
-    # Around the mirror direction a lobe about the half vector is twice as wide: a quarter of the power.
-    wide = environment.preconvolved.sample(mirror, power / 4.0)
-    sharp = environment.preconvolved.sample(mirror, np.square(power) / 4.0)
-    return (1.0 - share) * wide + share * sharp
 
 
 def _chunks(fragments: Fragments) -> Iterator[Fragments]:

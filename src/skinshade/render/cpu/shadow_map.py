@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
-from scipy.ndimage import maximum_filter, minimum_filter
+from scipy.ndimage import gaussian_filter1d, map_coordinates, maximum_filter, minimum_filter
 
 from ..._core.arrays import FloatArray, dot, unit_vectors
 from ...mesh import Mesh
 from ...scene import Light
 from ...shading.deep_scatter import inward_offset, poisson_disk, thickness_from_depths
+from ...shading.shadow import variance_shadow
+from ..light_view import MAP_SIZE, LightView
 from .raster import depth_maps
 
-__all__ = ["FILTER_TAPS", "ShadowMap", "hemisphere_disk", "render_shadow_map"]
+__all__ = ["FILTER_TAPS", "ShadowFilter", "ShadowMap", "hemisphere_disk", "render_shadow_map"]
 
-MAP_SIZE = 1024
+ShadowFilter = Literal["percentage-closer", "variance"]
+
 FILTER_TAPS = 48
+BLUR_REACH = 3.0
+"""Standard deviations that the variance filter's Gaussian holds."""
+NOWHERE_MM = 1e30
+"""Depth of nothing for the GPU: infinity cannot be filtered, nor compared on every driver."""
 STEEPEST_SLOPE = 8.0
 HOLLOW_PER_MM = 0.04
 """Receivers are planes no steeper than `STEEPEST_SLOPE` against the light; in a hollow of this curvature
@@ -35,19 +43,19 @@ class ShadowMap:
 
     Attributes
     ----------
-    view, projection
-        (4, 4) matrices of the light.
+    seen
+        How the light sees the body.
     first
         (S, S) the nearest surface; infinite where there is none.
     occluders
         (S, S) what shadows: the nearest surface that faces away, or `first` and `ATTACHED_MM` more.
     """
 
-    view: FloatArray
-    projection: FloatArray
+    seen: LightView
     first: FloatArray
     occluders: FloatArray
     cache: dict[int, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
+    blurred: dict[float, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
 
     def shadow_filter(
         self,
@@ -56,31 +64,61 @@ class ShadowMap:
         to_light: FloatArray,
         curvature_per_mm: FloatArray,
         width_mm: float,
+        kind: ShadowFilter = "percentage-closer",
     ) -> FloatArray:
         """Return the share (N,) of a disk across the light that is lit.
 
-        The disk's weight is a hemisphere, √(1−r²), whose transfer across a straight edge is exactly
-        the smoothstep that the shadow table inverts. Receivers are planes, so that a slope does not
-        shadow itself. Past the terminator a body hides itself from the light, which is not a shadow
-        but what the curvature table describes: there the question is asked where the light that
-        diffuses comes from, at the terminator itself.
+        Past the terminator a body hides itself from the light, which is not a shadow but what the
+        curvature table describes: there the question is asked where the light that diffuses comes from,
+        at the terminator itself.
+
+        Percentage-closer: the disk's weight is a hemisphere, √(1−r²), whose transfer across a straight
+        edge is exactly the smoothstep that the shadow table inverts; receivers are planes, so that a
+        slope does not shadow itself. Variance: a Gaussian as wide of the nearest surface, and what its
+        moments tell; a slope's own variance keeps it lit.
         """
         cosine = dot(normal, to_light)
         past = np.maximum(-cosine, 0.0)
         tangential = unit_vectors(to_light - normal * cosine[:, None])
         reach = np.minimum(past / np.maximum(curvature_per_mm, 1e-3), TERMINATOR_REACH_MM)
         at_terminator = position_mm + tangential * reach[:, None]
+        if kind == "variance":
+            return self._from_moments(at_terminator, width_mm)
         upright = unit_vectors(normal + to_light * past[:, None])
         hollow = np.clip(1.0 + curvature_per_mm / HOLLOW_PER_MM, 0.0, 1.0)
         slope = self._slopes(upright, 1.0 + (STEEPEST_SLOPE - 1.0) * hollow)
         return self._filtered(at_terminator, slope, width_mm)
+
+    def _from_moments(self, position_mm: FloatArray, width_mm: float) -> FloatArray:
+        x, y, depth, _ = self.seen.place(position_mm)
+        # Its last row and column go on for ever, as the Gaussian's do.
+        mean, mean_square = (
+            map_coordinates(each, (y - 0.5, x - 0.5), order=1, mode="nearest")
+            for each in self.moments(width_mm)
+        )
+        return variance_shadow(mean, mean_square, depth - BIAS_MM - self.seen.middle_depth_mm)
+
+    def moments(self, width_mm: float) -> tuple[FloatArray, FloatArray]:
+        """Return blurred depth and its square (S, S) from the body's middle; nothing is its far end."""
+        if width_mm not in self.blurred:
+            depth = np.minimum(self.first - self.seen.middle_depth_mm, self.seen.reach_mm)
+            sigma = self.seen.blur_texels(width_mm)
+            both = []
+            for each in (depth, depth * depth):
+                for axis in (1, 0):
+                    each = gaussian_filter1d(
+                        each, sigma, axis=axis, mode="nearest", truncate=BLUR_REACH
+                    )
+                both.append(each)
+            self.blurred[width_mm] = both[0], both[1]
+        return self.blurred[width_mm]
 
     def _filtered(
         self, position_mm: FloatArray, slope: tuple[FloatArray, FloatArray], width_mm: float
     ) -> FloatArray:
         if not position_mm.size:
             return np.zeros(0)
-        x, y, depth, texel_mm = self._locate(position_mm)
+        x, y, depth, texel_mm = self.seen.place(position_mm)
         depth = depth - BIAS_MM
         # Beside a lamp a texel is as small as nothing; no filter need be wider than the map.
         radius = np.minimum(0.5 * width_mm / texel_mm, MAP_SIZE)
@@ -128,7 +166,7 @@ class ShadowMap:
         taps: int,
     ) -> FloatArray:
         """Return the mean depth (N,) of the body between the light and each point, mm."""
-        x, y, depth, texel_mm = self._locate(inward_offset(position_mm, normal, offset_mm))
+        x, y, depth, texel_mm = self.seen.place(inward_offset(position_mm, normal, offset_mm))
         occluders = np.empty((depth.size, taps))
         for tap, (dx, dy) in enumerate(poisson_disk(taps)):
             scale = radius_mm / texel_mm
@@ -137,20 +175,9 @@ class ShadowMap:
             occluders[:, tap] = np.where(np.isfinite(found), found, depth)
         return thickness_from_depths(depth, occluders)
 
-    def _locate(
-        self, position_mm: FloatArray
-    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Texel coordinates, depth and the size of a texel there, mm."""
-        seen = position_mm @ self.view[:3, :3].T + self.view[:3, 3]
-        clip = seen @ self.projection[:, :3].T + self.projection[:, 3]
-        w = np.where(np.abs(clip[:, 3]) < 1e-9, 1e-9, clip[:, 3])
-        x = (0.5 * clip[:, 0] / w + 0.5) * MAP_SIZE
-        y = (0.5 - 0.5 * clip[:, 1] / w) * MAP_SIZE
-        return x, y, -seen[:, 2], np.abs(w) * 2.0 / (self.projection[0, 0] * MAP_SIZE)
-
     def _slopes(self, normal: FloatArray, steepest: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Change of depth per mm along the map's x and y (down)."""
-        n = normal @ self.view[:3, :3].T
+        n = normal @ self.seen.view[:3, :3].T
         facing = np.maximum(n[:, 2], 1e-3)
         slope_x, slope_y = n[:, 0] / facing, -n[:, 1] / facing
         excess = np.maximum(np.hypot(slope_x, slope_y) / steepest, 1.0)
@@ -178,14 +205,11 @@ def _texel(depths: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
 
 def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
     """Rasterise a mesh as a light sees it."""
-    points = mesh.positions_mm
-    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    radius = float(np.sqrt(dot(points - centre, points - centre).max()))
-    view, projection = light.view_and_projection(centre, radius)
-    seen = points @ view[:3, :3].T + view[:3, 3]
-    clip = seen @ projection[:, :3].T + projection[:, 3]
+    view = LightView.of(light, mesh)
+    seen = mesh.positions_mm @ view.view[:3, :3].T + view.view[:3, 3]
+    clip = seen @ view.projection[:, :3].T + view.projection[:, 3]
     first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
-    return ShadowMap(view, projection, first, np.minimum(away, first + ATTACHED_MM))
+    return ShadowMap(view, first, np.minimum(away, first + ATTACHED_MM))
 
 
 def hemisphere_disk(taps: int) -> FloatArray:

@@ -7,16 +7,18 @@ from functools import cached_property
 import numpy as np
 import wgpu
 
-from ..._core.arrays import FloatArray, ImageArray
-from ...gpu.textures import array_texture, buffer, mip_texture, table_texture
+from ..._core.arrays import ImageArray
+from ...gpu.textures import buffer, loaded_texture, mip_texture, table_texture
 from ...lut import Lut
-from ...params import ScatterParams
-from ...scene import DirectionalLight, Light
-from ..cpu.shadow_map import ShadowMap
+from ...params import FrameParams, LightParams, ScatterParams
 from ..cpu.texture import Texture
 from ..prepared import PreparedScene
+from ..renderer import RenderSettings
+from .records import light_params, three
 
-__all__ = ["ATTRIBUTES", "Resources"]
+__all__ = ["ATTRIBUTES", "TABLES", "Resources", "tables_of"]
+
+Key = tuple[int | str, ...]
 
 ATTRIBUTES = 10
 """Vectors of four a vertex, in the order of `COLUMNS`."""
@@ -34,10 +36,17 @@ COLUMNS = {
     "bounced": 3,
 }
 """Numbers of each; what the scene has none of stays 0."""
+LUTS = {
+    "ring": "ring",
+    "sphere": "sphere",
+    "shadow_table": "shadow",
+    "classic_table": "classic_curvature",
+    "classic_shadow_table": "classic_shadow",
+}
+"""Tables of the pass, and what `Skin` calls them."""
+TABLES = ("transfer", *LUTS)
 TRANSFER_SIZE = 2048
 WIDEST_K_PER_MM = 16.0
-NOWHERE_MM = 1e30
-"""Depth of nothing: infinity cannot be filtered, nor compared on every driver."""
 
 
 class Resources:
@@ -54,6 +63,9 @@ class Resources:
     def __init__(self, device: wgpu.GPUDevice, prepared: PreparedScene) -> None:
         self.device = device
         self.prepared = prepared
+        self._scatter_blocks: dict[Key, wgpu.GPUBuffer] = {}
+        self._tables: dict[str, wgpu.GPUTexture] = {}
+        self._taps: dict[int, wgpu.GPUBuffer] = {}
 
     @cached_property
     def vertices(self) -> wgpu.GPUBuffer:
@@ -83,47 +95,72 @@ class Resources:
         """The material's parameters."""
         return buffer(self.device, self.prepared.skin.params.pack(), wgpu.BufferUsage.UNIFORM)
 
-    @cached_property
-    def scatter_block(self) -> wgpu.GPUBuffer:
-        """The profile's numbers."""
+    def scatter_block(self, way: RenderSettings) -> wgpu.GPUBuffer:
+        """Return the profile's numbers for a way to shade."""
+        key: Key = (way.normal_fetches, *tables_of(way))
+        if key not in self._scatter_blocks:
+            data = self._scatter_params(way).pack()
+            self._scatter_blocks[key] = buffer(self.device, data, wgpu.BufferUsage.UNIFORM)
+        return self._scatter_blocks[key]
+
+    def _scatter_params(self, way: RenderSettings) -> ScatterParams:
         skin = self.prepared.skin
-        profile, blend = skin.profile, skin.blend
+        profile, blend = skin.profile, skin.blend(way.normal_fetches)
         weights = np.zeros((3, 3))
         weights[:, : blend.weights.shape[1]] = blend.weights
         sigmas = np.zeros(2)
         sigmas[: blend.sigmas_mm.size] = blend.sigmas_mm
-        block = ScatterParams(
-            albedo=_three(profile.albedo),
-            rms_radius_mm=_three(profile.rms_radius_mm),
-            sigma_per_mm=_three(skin.sigma_per_mm),
-            blend_red=_three(weights[0]),
-            blend_green=_three(weights[1]),
-            blend_blue=_three(weights[2]),
-            ring_axes=_axes(skin.ring),
-            sphere_axes=_axes(skin.sphere),
+        axes = {
+            f"{name.removesuffix('_table')}_axes": _axes(self._lut(name))
+            for name in tables_of(way)
+            if name != "transfer"
+        }
+        return ScatterParams(
+            albedo=three(profile.albedo),
+            rms_radius_mm=three(profile.rms_radius_mm),
+            sigma_per_mm=three(skin.sigma_per_mm),
+            blend_red=three(weights[0]),
+            blend_green=three(weights[1]),
+            blend_blue=three(weights[2]),
             transfer_axes=(0.0, float(1.0 / np.sqrt(WIDEST_K_PER_MM)), 0.0, 1.0),
-            shadow_axes=_axes(skin.shadow),
-            classic_axes=_axes(skin.classic_curvature),
-            classic_shadow_axes=_axes(skin.classic_shadow),
             normal_sigmas_mm=(float(sigmas[0]), float(sigmas[1])),
+            **axes,
         )
-        return buffer(self.device, block.pack(), wgpu.BufferUsage.UNIFORM)
+
+    def table(self, name: str) -> wgpu.GPUTexture:
+        """Return a lookup table by the pass's name of it."""
+        if name not in self._tables:
+            values = self._transfer_values() if name == "transfer" else self._lut(name).values
+            self._tables[name] = table_texture(self.device, values)
+        return self._tables[name]
+
+    def _lut(self, name: str) -> Lut:
+        skin = self.prepared.skin
+        found: Lut = getattr(skin, LUTS[name])
+        return found
+
+    def _transfer_values(self) -> ImageArray:
+        root = (np.arange(TRANSFER_SIZE) + 0.5) / TRANSFER_SIZE * np.sqrt(WIDEST_K_PER_MM)
+        return self.prepared.skin.transfer(np.square(root))[None].astype(np.float32)
 
     @cached_property
-    def tables(self) -> dict[str, wgpu.GPUTexture]:
-        """Lookup tables by the pass's names."""
-        skin = self.prepared.skin
-        root = (np.arange(TRANSFER_SIZE) + 0.5) / TRANSFER_SIZE * np.sqrt(WIDEST_K_PER_MM)
-        transfer = skin.transfer(np.square(root))[None].astype(np.float32)
-        values = {
-            "ring": skin.ring.values,
-            "sphere": skin.sphere.values,
-            "transfer": transfer,
-            "shadow_table": skin.shadow.values,
-            "classic_table": skin.classic_curvature.values,
-            "classic_shadow_table": skin.classic_shadow.values,
-        }
-        return {name: table_texture(self.device, each) for name, each in values.items()}
+    def frame_block(self) -> wgpu.GPUBuffer:
+        """The record of the frame; `write_frame` fills it."""
+        return buffer(self.device, FrameParams().pack(), wgpu.BufferUsage.UNIFORM)
+
+    def write_frame(self, frame: FrameParams) -> None:
+        """Fill the record of the frame."""
+        self.device.queue.write_buffer(self.frame_block, 0, frame.pack())
+
+    @cached_property
+    def no_table(self) -> wgpu.GPUTexture:
+        """What stands where a picture needs no table."""
+        return table_texture(self.device, np.zeros((1, 1, 3), dtype=np.float32))
+
+    @cached_property
+    def no_layer(self) -> wgpu.GPUTexture:
+        """What stands where a picture needs no layers."""
+        return loaded_texture(self.device, np.zeros((1, 1, 3), dtype=np.float32))
 
     @cached_property
     def maps(self) -> dict[str, wgpu.GPUTexture]:
@@ -147,43 +184,48 @@ class Resources:
 
     @cached_property
     def preconvolved(self) -> wgpu.GPUTexture:
-        """Levels of the environment's reflection."""
+        """Levels of the environment's reflection, one below the other."""
         environment = self.prepared.scene.environment
-        levels = (
-            np.zeros((5, 2, 2, 3), dtype=np.float32)
-            if environment is None
-            else np.asarray(environment.preconvolved.levels, dtype=np.float32)
-        )
-        return array_texture(self.device, levels, filtered=True)
+        if environment is None:
+            return self.no_table
+        return mip_texture(self.device, [environment.preconvolved.atlas])
 
     @cached_property
-    def depths(self) -> wgpu.GPUTexture:
-        """Two layers a light: what shadows, and the nearest surface."""
-        layers = [
-            each
-            for _, found in self.prepared.shadow_maps
-            for each in (found.occluders, found.first)
-        ]
-        stack = np.stack(layers) if layers else np.zeros((2, 1, 1))
-        finite = np.where(np.isfinite(stack), stack, NOWHERE_MM).astype(np.float32)
-        return array_texture(self.device, finite, filtered=False)
+    def sky(self) -> wgpu.GPUTexture:
+        """What is seen behind the body, unscaled."""
+        environment = self.prepared.scene.environment
+        if environment is None or not environment.visible:
+            return self.no_table
+        return loaded_texture(self.device, environment.radiance)
+
+    @property
+    def light_count(self) -> int:
+        """Number of lights."""
+        return len(self.prepared.scene.lights)
 
     @cached_property
     def lights(self) -> wgpu.GPUBuffer:
-        """One record a light, as the pass declares it."""
-        records = [_light(*each) for each in self.prepared.shadow_maps] or [np.zeros((10, 4))]
-        data = np.concatenate(records).astype(np.float32)
-        return buffer(self.device, data.tobytes(), wgpu.BufferUsage.STORAGE)
+        """One record a light; one that is never read where there is none."""
+        width = self.prepared.skin.params.shadow_filter_width_mm
+        records = [light_params(*each, width).pack() for each in self.prepared.light_views]
+        data = b"".join(records) or LightParams().pack()
+        return buffer(self.device, data, wgpu.BufferUsage.STORAGE)
 
     def taps(self, count: int) -> wgpu.GPUBuffer:
-        """Points of the wide filter, then those of thickness."""
-        data = self.prepared.disks(count).astype(np.float32)
-        return buffer(self.device, data.tobytes(), wgpu.BufferUsage.STORAGE)
+        """Return the points of the wide filter, then those of thickness."""
+        if count not in self._taps:
+            data = self.prepared.disks(count).astype(np.float32).tobytes()
+            self._taps[count] = buffer(self.device, data, wgpu.BufferUsage.STORAGE)
+        return self._taps[count]
 
 
-def _three(values: FloatArray) -> tuple[float, float, float]:
-    red, green, blue = (float(each) for each in values)
-    return red, green, blue
+def tables_of(way: RenderSettings) -> tuple[str, ...]:
+    """Return the tables that a way to shade reads; no other need be made."""
+    if way.shading == "lambert":
+        return ()
+    if way.shading == "classic":
+        return ("classic_table", "classic_shadow_table")
+    return ("transfer", "shadow_table", "sphere" if way.tier == "scalar" else "ring")
 
 
 def _axes(lut: Lut) -> tuple[float, float, float, float]:
@@ -197,19 +239,3 @@ def _levels(texture: Texture) -> list[ImageArray]:
         texture.texels[start : start + h * w].reshape(h, w, texture.texels.shape[1])
         for start, h, w in sizes
     ]
-
-
-def _light(light: Light, found: ShadowMap) -> FloatArray:
-    record = np.zeros((10, 4))
-    record[0:3] = found.view[:3]
-    record[3:6] = found.projection[[0, 1, 3]]
-    record[9, :3] = light.irradiance
-    if isinstance(light, DirectionalLight):
-        record[6, :3] = light.to_light
-        return record
-    away = light.position_mm - light.target_mm
-    distance = float(np.linalg.norm(away))
-    record[6] = [*light.position_mm, 1.0]
-    record[7] = [*(away / distance), distance**2]
-    record[8, :2] = np.cos(np.radians([light.cone_deg, 0.8 * light.cone_deg]))
-    return record

@@ -1,4 +1,4 @@
-@binding(2) @group(0) var<storage, read_write> echoed_0 : array<f32>;
+@binding(4) @group(0) var<storage, read_write> echoed_0 : array<f32>;
 
 struct SkinBlock_std140_0
 {
@@ -35,6 +35,45 @@ struct ScatterBlock_std140_0
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
+struct FrameBlock_std140_0
+{
+    @align(16) radiance_sh_0 : array<vec4<f32>, i32(9)>,
+    @align(16) clip_x_0 : vec4<f32>,
+    @align(16) clip_y_0 : vec4<f32>,
+    @align(16) clip_z_0 : vec4<f32>,
+    @align(16) clip_w_0 : vec4<f32>,
+    @align(16) eye_mm_0 : vec4<f32>,
+    @align(16) ray_across_0 : vec4<f32>,
+    @align(16) ray_up_0 : vec4<f32>,
+    @align(16) ray_ahead_0 : vec4<f32>,
+    @align(16) background_0 : vec4<f32>,
+    @align(16) footprint_0 : f32,
+    @align(4) sample_weight_0 : f32,
+    @align(8) uv_scale_mm_0 : f32,
+    @align(4) environment_scale_0 : f32,
+    @align(16) exposure_0 : f32,
+};
+
+@binding(2) @group(0) var<uniform> frame_block_0 : FrameBlock_std140_0;
+struct LightBlock_std140_0
+{
+    @align(16) view_x_0 : vec4<f32>,
+    @align(16) view_y_0 : vec4<f32>,
+    @align(16) view_z_0 : vec4<f32>,
+    @align(16) clip_x_1 : vec4<f32>,
+    @align(16) clip_y_1 : vec4<f32>,
+    @align(16) clip_w_1 : vec4<f32>,
+    @align(16) direction_0 : vec4<f32>,
+    @align(16) position_mm_0 : vec4<f32>,
+    @align(16) irradiance_0 : vec4<f32>,
+    @align(16) cone_cosines_0 : vec2<f32>,
+    @align(8) depth_mm_0 : vec2<f32>,
+    @align(16) near_0 : f32,
+    @align(4) target_distance_mm_0 : f32,
+    @align(8) blur_texels_0 : f32,
+};
+
+@binding(3) @group(0) var<uniform> light_block_0 : LightBlock_std140_0;
 @compute
 @workgroup_size(1, 1, 1)
 fn echo_SkinBlock()
@@ -114,6 +153,140 @@ fn echo_ScatterBlock()
     echoed_0[i32(47)] = scatter_block_0.classic_shadow_axes_0.w;
     echoed_0[i32(48)] = scatter_block_0.normal_sigmas_mm_0.x;
     echoed_0[i32(49)] = scatter_block_0.normal_sigmas_mm_0.y;
+    return;
+}
+
+@compute
+@workgroup_size(1, 1, 1)
+fn echo_FrameBlock()
+{
+    echoed_0[i32(0)] = frame_block_0.radiance_sh_0[i32(0)].x;
+    echoed_0[i32(1)] = frame_block_0.radiance_sh_0[i32(0)].y;
+    echoed_0[i32(2)] = frame_block_0.radiance_sh_0[i32(0)].z;
+    echoed_0[i32(3)] = frame_block_0.radiance_sh_0[i32(0)].w;
+    echoed_0[i32(4)] = frame_block_0.radiance_sh_0[i32(1)].x;
+    echoed_0[i32(5)] = frame_block_0.radiance_sh_0[i32(1)].y;
+    echoed_0[i32(6)] = frame_block_0.radiance_sh_0[i32(1)].z;
+    echoed_0[i32(7)] = frame_block_0.radiance_sh_0[i32(1)].w;
+    echoed_0[i32(8)] = frame_block_0.radiance_sh_0[i32(2)].x;
+    echoed_0[i32(9)] = frame_block_0.radiance_sh_0[i32(2)].y;
+    echoed_0[i32(10)] = frame_block_0.radiance_sh_0[i32(2)].z;
+    echoed_0[i32(11)] = frame_block_0.radiance_sh_0[i32(2)].w;
+    echoed_0[i32(12)] = frame_block_0.radiance_sh_0[i32(3)].x;
+    echoed_0[i32(13)] = frame_block_0.radiance_sh_0[i32(3)].y;
+    echoed_0[i32(14)] = frame_block_0.radiance_sh_0[i32(3)].z;
+    echoed_0[i32(15)] = frame_block_0.radiance_sh_0[i32(3)].w;
+    echoed_0[i32(16)] = frame_block_0.radiance_sh_0[i32(4)].x;
+    echoed_0[i32(17)] = frame_block_0.radiance_sh_0[i32(4)].y;
+    echoed_0[i32(18)] = frame_block_0.radiance_sh_0[i32(4)].z;
+    echoed_0[i32(19)] = frame_block_0.radiance_sh_0[i32(4)].w;
+    echoed_0[i32(20)] = frame_block_0.radiance_sh_0[i32(5)].x;
+    echoed_0[i32(21)] = frame_block_0.radiance_sh_0[i32(5)].y;
+    echoed_0[i32(22)] = frame_block_0.radiance_sh_0[i32(5)].z;
+    echoed_0[i32(23)] = frame_block_0.radiance_sh_0[i32(5)].w;
+    echoed_0[i32(24)] = frame_block_0.radiance_sh_0[i32(6)].x;
+    echoed_0[i32(25)] = frame_block_0.radiance_sh_0[i32(6)].y;
+    echoed_0[i32(26)] = frame_block_0.radiance_sh_0[i32(6)].z;
+    echoed_0[i32(27)] = frame_block_0.radiance_sh_0[i32(6)].w;
+    echoed_0[i32(28)] = frame_block_0.radiance_sh_0[i32(7)].x;
+    echoed_0[i32(29)] = frame_block_0.radiance_sh_0[i32(7)].y;
+    echoed_0[i32(30)] = frame_block_0.radiance_sh_0[i32(7)].z;
+    echoed_0[i32(31)] = frame_block_0.radiance_sh_0[i32(7)].w;
+    echoed_0[i32(32)] = frame_block_0.radiance_sh_0[i32(8)].x;
+    echoed_0[i32(33)] = frame_block_0.radiance_sh_0[i32(8)].y;
+    echoed_0[i32(34)] = frame_block_0.radiance_sh_0[i32(8)].z;
+    echoed_0[i32(35)] = frame_block_0.radiance_sh_0[i32(8)].w;
+    echoed_0[i32(36)] = frame_block_0.clip_x_0.x;
+    echoed_0[i32(37)] = frame_block_0.clip_x_0.y;
+    echoed_0[i32(38)] = frame_block_0.clip_x_0.z;
+    echoed_0[i32(39)] = frame_block_0.clip_x_0.w;
+    echoed_0[i32(40)] = frame_block_0.clip_y_0.x;
+    echoed_0[i32(41)] = frame_block_0.clip_y_0.y;
+    echoed_0[i32(42)] = frame_block_0.clip_y_0.z;
+    echoed_0[i32(43)] = frame_block_0.clip_y_0.w;
+    echoed_0[i32(44)] = frame_block_0.clip_z_0.x;
+    echoed_0[i32(45)] = frame_block_0.clip_z_0.y;
+    echoed_0[i32(46)] = frame_block_0.clip_z_0.z;
+    echoed_0[i32(47)] = frame_block_0.clip_z_0.w;
+    echoed_0[i32(48)] = frame_block_0.clip_w_0.x;
+    echoed_0[i32(49)] = frame_block_0.clip_w_0.y;
+    echoed_0[i32(50)] = frame_block_0.clip_w_0.z;
+    echoed_0[i32(51)] = frame_block_0.clip_w_0.w;
+    echoed_0[i32(52)] = frame_block_0.eye_mm_0.x;
+    echoed_0[i32(53)] = frame_block_0.eye_mm_0.y;
+    echoed_0[i32(54)] = frame_block_0.eye_mm_0.z;
+    echoed_0[i32(55)] = frame_block_0.eye_mm_0.w;
+    echoed_0[i32(56)] = frame_block_0.ray_across_0.x;
+    echoed_0[i32(57)] = frame_block_0.ray_across_0.y;
+    echoed_0[i32(58)] = frame_block_0.ray_across_0.z;
+    echoed_0[i32(59)] = frame_block_0.ray_across_0.w;
+    echoed_0[i32(60)] = frame_block_0.ray_up_0.x;
+    echoed_0[i32(61)] = frame_block_0.ray_up_0.y;
+    echoed_0[i32(62)] = frame_block_0.ray_up_0.z;
+    echoed_0[i32(63)] = frame_block_0.ray_up_0.w;
+    echoed_0[i32(64)] = frame_block_0.ray_ahead_0.x;
+    echoed_0[i32(65)] = frame_block_0.ray_ahead_0.y;
+    echoed_0[i32(66)] = frame_block_0.ray_ahead_0.z;
+    echoed_0[i32(67)] = frame_block_0.ray_ahead_0.w;
+    echoed_0[i32(68)] = frame_block_0.background_0.x;
+    echoed_0[i32(69)] = frame_block_0.background_0.y;
+    echoed_0[i32(70)] = frame_block_0.background_0.z;
+    echoed_0[i32(71)] = frame_block_0.background_0.w;
+    echoed_0[i32(72)] = frame_block_0.footprint_0;
+    echoed_0[i32(73)] = frame_block_0.sample_weight_0;
+    echoed_0[i32(74)] = frame_block_0.uv_scale_mm_0;
+    echoed_0[i32(75)] = frame_block_0.environment_scale_0;
+    echoed_0[i32(76)] = frame_block_0.exposure_0;
+    return;
+}
+
+@compute
+@workgroup_size(1, 1, 1)
+fn echo_LightBlock()
+{
+    echoed_0[i32(0)] = light_block_0.view_x_0.x;
+    echoed_0[i32(1)] = light_block_0.view_x_0.y;
+    echoed_0[i32(2)] = light_block_0.view_x_0.z;
+    echoed_0[i32(3)] = light_block_0.view_x_0.w;
+    echoed_0[i32(4)] = light_block_0.view_y_0.x;
+    echoed_0[i32(5)] = light_block_0.view_y_0.y;
+    echoed_0[i32(6)] = light_block_0.view_y_0.z;
+    echoed_0[i32(7)] = light_block_0.view_y_0.w;
+    echoed_0[i32(8)] = light_block_0.view_z_0.x;
+    echoed_0[i32(9)] = light_block_0.view_z_0.y;
+    echoed_0[i32(10)] = light_block_0.view_z_0.z;
+    echoed_0[i32(11)] = light_block_0.view_z_0.w;
+    echoed_0[i32(12)] = light_block_0.clip_x_1.x;
+    echoed_0[i32(13)] = light_block_0.clip_x_1.y;
+    echoed_0[i32(14)] = light_block_0.clip_x_1.z;
+    echoed_0[i32(15)] = light_block_0.clip_x_1.w;
+    echoed_0[i32(16)] = light_block_0.clip_y_1.x;
+    echoed_0[i32(17)] = light_block_0.clip_y_1.y;
+    echoed_0[i32(18)] = light_block_0.clip_y_1.z;
+    echoed_0[i32(19)] = light_block_0.clip_y_1.w;
+    echoed_0[i32(20)] = light_block_0.clip_w_1.x;
+    echoed_0[i32(21)] = light_block_0.clip_w_1.y;
+    echoed_0[i32(22)] = light_block_0.clip_w_1.z;
+    echoed_0[i32(23)] = light_block_0.clip_w_1.w;
+    echoed_0[i32(24)] = light_block_0.direction_0.x;
+    echoed_0[i32(25)] = light_block_0.direction_0.y;
+    echoed_0[i32(26)] = light_block_0.direction_0.z;
+    echoed_0[i32(27)] = light_block_0.direction_0.w;
+    echoed_0[i32(28)] = light_block_0.position_mm_0.x;
+    echoed_0[i32(29)] = light_block_0.position_mm_0.y;
+    echoed_0[i32(30)] = light_block_0.position_mm_0.z;
+    echoed_0[i32(31)] = light_block_0.position_mm_0.w;
+    echoed_0[i32(32)] = light_block_0.irradiance_0.x;
+    echoed_0[i32(33)] = light_block_0.irradiance_0.y;
+    echoed_0[i32(34)] = light_block_0.irradiance_0.z;
+    echoed_0[i32(35)] = light_block_0.irradiance_0.w;
+    echoed_0[i32(36)] = light_block_0.cone_cosines_0.x;
+    echoed_0[i32(37)] = light_block_0.cone_cosines_0.y;
+    echoed_0[i32(38)] = light_block_0.depth_mm_0.x;
+    echoed_0[i32(39)] = light_block_0.depth_mm_0.y;
+    echoed_0[i32(40)] = light_block_0.near_0;
+    echoed_0[i32(41)] = light_block_0.target_distance_mm_0;
+    echoed_0[i32(42)] = light_block_0.blur_texels_0;
     return;
 }
 

@@ -6,13 +6,17 @@
 
 @binding(5) @group(0) var lut_sampler_0 : sampler;
 
-@binding(6) @group(0) var transfer_0 : texture_2d<f32>;
+@binding(8) @group(0) var transfer_0 : texture_2d<f32>;
 
-@binding(7) @group(0) var transfer_sampler_0 : sampler;
+@binding(9) @group(0) var transfer_sampler_0 : sampler;
 
 @binding(2) @group(0) var depth_map_0 : texture_2d<f32>;
 
 @binding(3) @group(0) var depth_map_sampler_0 : sampler;
+
+@binding(6) @group(0) var preconvolved_0 : texture_2d<f32>;
+
+@binding(7) @group(0) var preconvolved_sampler_0 : sampler;
 
 fn rsqrt_0( x_0 : f32) -> f32
 {
@@ -324,12 +328,29 @@ fn run_sharpened_shadow(@builtin(global_invocation_id) thread_12 : vec3<u32>)
     return;
 }
 
+fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_0 : f32) -> f32
+{
+    var _S29 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S30 : f32 = max(depth_mm_0 - mean_depth_mm_0, 0.0f);
+    return _S29 / (_S29 + _S30 * _S30);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_variance_shadow(@builtin(global_invocation_id) thread_13 : vec3<u32>)
+{
+    var _S31 : u32 = thread_13.x;
+    var at_12 : u32 = _S31 * u32(3);
+    outputs_0[_S31] = skin_variance_shadow_0(inputs_0[at_12], inputs_0[at_12 + u32(1)], inputs_0[at_12 + u32(2)]);
+    return;
+}
+
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S29 : f32 = d_0.y;
-    var _S30 : f32 = d_0.z;
-    var _S31 : f32 = d_0.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S29 + sh_0[i32(0)].z * _S30 + sh_0[i32(1)].x * _S31), 1.09254848957061768f * (sh_0[i32(1)].y * _S31 * _S29 + sh_0[i32(1)].z * _S29 * _S30 + sh_0[i32(2)].y * _S31 * _S30) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S30 * _S30 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S31 * _S31 - _S29 * _S29));
+    var _S32 : f32 = d_0.y;
+    var _S33 : f32 = d_0.z;
+    var _S34 : f32 = d_0.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S32 + sh_0[i32(0)].z * _S33 + sh_0[i32(1)].x * _S34), 1.09254848957061768f * (sh_0[i32(1)].y * _S34 * _S32 + sh_0[i32(1)].z * _S32 * _S33 + sh_0[i32(2)].y * _S34 * _S33) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S33 * _S33 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S34 * _S34 - _S32 * _S32));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_1 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -346,15 +367,15 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_irradiance(@builtin(global_invocation_id) thread_13 : vec3<u32>)
+fn run_ambient_irradiance(@builtin(global_invocation_id) thread_14 : vec3<u32>)
 {
-    var _S32 : u32 = thread_13.x;
-    var at_12 : u32 = _S32 * u32(45);
-    var result_9 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[at_12], inputs_0[at_12 + u32(1)], inputs_0[at_12 + u32(2)], inputs_0[at_12 + u32(3)], inputs_0[at_12 + u32(4)], inputs_0[at_12 + u32(5)], inputs_0[at_12 + u32(6)], inputs_0[at_12 + u32(7)], inputs_0[at_12 + u32(8)]), mat3x3<f32>(inputs_0[at_12 + u32(9)], inputs_0[at_12 + u32(10)], inputs_0[at_12 + u32(11)], inputs_0[at_12 + u32(12)], inputs_0[at_12 + u32(13)], inputs_0[at_12 + u32(14)], inputs_0[at_12 + u32(15)], inputs_0[at_12 + u32(16)], inputs_0[at_12 + u32(17)]), mat3x3<f32>(inputs_0[at_12 + u32(18)], inputs_0[at_12 + u32(19)], inputs_0[at_12 + u32(20)], inputs_0[at_12 + u32(21)], inputs_0[at_12 + u32(22)], inputs_0[at_12 + u32(23)], inputs_0[at_12 + u32(24)], inputs_0[at_12 + u32(25)], inputs_0[at_12 + u32(26)]), mat3x3<f32>(inputs_0[at_12 + u32(27)], inputs_0[at_12 + u32(28)], inputs_0[at_12 + u32(29)], inputs_0[at_12 + u32(30)], inputs_0[at_12 + u32(31)], inputs_0[at_12 + u32(32)], inputs_0[at_12 + u32(33)], inputs_0[at_12 + u32(34)], inputs_0[at_12 + u32(35)]), mat3x3<f32>(inputs_0[at_12 + u32(36)], inputs_0[at_12 + u32(37)], inputs_0[at_12 + u32(38)], inputs_0[at_12 + u32(39)], inputs_0[at_12 + u32(40)], inputs_0[at_12 + u32(41)], inputs_0[at_12 + u32(42)], inputs_0[at_12 + u32(43)], inputs_0[at_12 + u32(44)]));
-    var _S33 : u32 = _S32 * u32(3);
-    outputs_0[_S33] = result_9[i32(0)];
-    outputs_0[_S33 + u32(1)] = result_9[i32(1)];
-    outputs_0[_S33 + u32(2)] = result_9[i32(2)];
+    var _S35 : u32 = thread_14.x;
+    var at_13 : u32 = _S35 * u32(45);
+    var result_9 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[at_13], inputs_0[at_13 + u32(1)], inputs_0[at_13 + u32(2)], inputs_0[at_13 + u32(3)], inputs_0[at_13 + u32(4)], inputs_0[at_13 + u32(5)], inputs_0[at_13 + u32(6)], inputs_0[at_13 + u32(7)], inputs_0[at_13 + u32(8)]), mat3x3<f32>(inputs_0[at_13 + u32(9)], inputs_0[at_13 + u32(10)], inputs_0[at_13 + u32(11)], inputs_0[at_13 + u32(12)], inputs_0[at_13 + u32(13)], inputs_0[at_13 + u32(14)], inputs_0[at_13 + u32(15)], inputs_0[at_13 + u32(16)], inputs_0[at_13 + u32(17)]), mat3x3<f32>(inputs_0[at_13 + u32(18)], inputs_0[at_13 + u32(19)], inputs_0[at_13 + u32(20)], inputs_0[at_13 + u32(21)], inputs_0[at_13 + u32(22)], inputs_0[at_13 + u32(23)], inputs_0[at_13 + u32(24)], inputs_0[at_13 + u32(25)], inputs_0[at_13 + u32(26)]), mat3x3<f32>(inputs_0[at_13 + u32(27)], inputs_0[at_13 + u32(28)], inputs_0[at_13 + u32(29)], inputs_0[at_13 + u32(30)], inputs_0[at_13 + u32(31)], inputs_0[at_13 + u32(32)], inputs_0[at_13 + u32(33)], inputs_0[at_13 + u32(34)], inputs_0[at_13 + u32(35)]), mat3x3<f32>(inputs_0[at_13 + u32(36)], inputs_0[at_13 + u32(37)], inputs_0[at_13 + u32(38)], inputs_0[at_13 + u32(39)], inputs_0[at_13 + u32(40)], inputs_0[at_13 + u32(41)], inputs_0[at_13 + u32(42)], inputs_0[at_13 + u32(43)], inputs_0[at_13 + u32(44)]));
+    var _S36 : u32 = _S35 * u32(3);
+    outputs_0[_S36] = result_9[i32(0)];
+    outputs_0[_S36 + u32(1)] = result_9[i32(1)];
+    outputs_0[_S36 + u32(2)] = result_9[i32(2)];
     return;
 }
 
@@ -370,27 +391,27 @@ fn skin_ambient_normals_0( normals_6 : mat3x3<f32>) -> mat3x3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_normals(@builtin(global_invocation_id) thread_14 : vec3<u32>)
+fn run_ambient_normals(@builtin(global_invocation_id) thread_15 : vec3<u32>)
 {
-    var at_13 : u32 = thread_14.x * u32(9);
-    var _S34 : u32 = at_13 + u32(1);
-    var _S35 : u32 = at_13 + u32(2);
-    var _S36 : u32 = at_13 + u32(3);
-    var _S37 : u32 = at_13 + u32(4);
-    var _S38 : u32 = at_13 + u32(5);
-    var _S39 : u32 = at_13 + u32(6);
-    var _S40 : u32 = at_13 + u32(7);
-    var _S41 : u32 = at_13 + u32(8);
-    var result_10 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[at_13], inputs_0[_S34], inputs_0[_S35], inputs_0[_S36], inputs_0[_S37], inputs_0[_S38], inputs_0[_S39], inputs_0[_S40], inputs_0[_S41]));
-    outputs_0[at_13] = result_10[i32(0)][i32(0)];
-    outputs_0[_S34] = result_10[i32(0)][i32(1)];
-    outputs_0[_S35] = result_10[i32(0)][i32(2)];
-    outputs_0[_S36] = result_10[i32(1)][i32(0)];
-    outputs_0[_S37] = result_10[i32(1)][i32(1)];
-    outputs_0[_S38] = result_10[i32(1)][i32(2)];
-    outputs_0[_S39] = result_10[i32(2)][i32(0)];
-    outputs_0[_S40] = result_10[i32(2)][i32(1)];
-    outputs_0[_S41] = result_10[i32(2)][i32(2)];
+    var at_14 : u32 = thread_15.x * u32(9);
+    var _S37 : u32 = at_14 + u32(1);
+    var _S38 : u32 = at_14 + u32(2);
+    var _S39 : u32 = at_14 + u32(3);
+    var _S40 : u32 = at_14 + u32(4);
+    var _S41 : u32 = at_14 + u32(5);
+    var _S42 : u32 = at_14 + u32(6);
+    var _S43 : u32 = at_14 + u32(7);
+    var _S44 : u32 = at_14 + u32(8);
+    var result_10 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[at_14], inputs_0[_S37], inputs_0[_S38], inputs_0[_S39], inputs_0[_S40], inputs_0[_S41], inputs_0[_S42], inputs_0[_S43], inputs_0[_S44]));
+    outputs_0[at_14] = result_10[i32(0)][i32(0)];
+    outputs_0[_S37] = result_10[i32(0)][i32(1)];
+    outputs_0[_S38] = result_10[i32(0)][i32(2)];
+    outputs_0[_S39] = result_10[i32(1)][i32(0)];
+    outputs_0[_S40] = result_10[i32(1)][i32(1)];
+    outputs_0[_S41] = result_10[i32(1)][i32(2)];
+    outputs_0[_S42] = result_10[i32(2)][i32(0)];
+    outputs_0[_S43] = result_10[i32(2)][i32(1)];
+    outputs_0[_S44] = result_10[i32(2)][i32(2)];
     return;
 }
 
@@ -401,15 +422,15 @@ fn skin_ambient_of_three_0( red_0 : vec3<f32>,  green_0 : vec3<f32>,  blue_0 : v
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_of_three(@builtin(global_invocation_id) thread_15 : vec3<u32>)
+fn run_ambient_of_three(@builtin(global_invocation_id) thread_16 : vec3<u32>)
 {
-    var _S42 : u32 = thread_15.x;
-    var at_14 : u32 = _S42 * u32(9);
-    var result_11 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[at_14], inputs_0[at_14 + u32(1)], inputs_0[at_14 + u32(2)]), vec3<f32>(inputs_0[at_14 + u32(3)], inputs_0[at_14 + u32(4)], inputs_0[at_14 + u32(5)]), vec3<f32>(inputs_0[at_14 + u32(6)], inputs_0[at_14 + u32(7)], inputs_0[at_14 + u32(8)]));
-    var _S43 : u32 = _S42 * u32(3);
-    outputs_0[_S43] = result_11[i32(0)];
-    outputs_0[_S43 + u32(1)] = result_11[i32(1)];
-    outputs_0[_S43 + u32(2)] = result_11[i32(2)];
+    var _S45 : u32 = thread_16.x;
+    var at_15 : u32 = _S45 * u32(9);
+    var result_11 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[at_15], inputs_0[at_15 + u32(1)], inputs_0[at_15 + u32(2)]), vec3<f32>(inputs_0[at_15 + u32(3)], inputs_0[at_15 + u32(4)], inputs_0[at_15 + u32(5)]), vec3<f32>(inputs_0[at_15 + u32(6)], inputs_0[at_15 + u32(7)], inputs_0[at_15 + u32(8)]));
+    var _S46 : u32 = _S45 * u32(3);
+    outputs_0[_S46] = result_11[i32(0)];
+    outputs_0[_S46 + u32(1)] = result_11[i32(1)];
+    outputs_0[_S46 + u32(2)] = result_11[i32(2)];
     return;
 }
 
@@ -420,15 +441,15 @@ fn skin_bounced_visibility_0( visibility_0 : vec3<f32>,  albedo_1 : vec3<f32>) -
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_bounced_visibility(@builtin(global_invocation_id) thread_16 : vec3<u32>)
+fn run_bounced_visibility(@builtin(global_invocation_id) thread_17 : vec3<u32>)
 {
-    var _S44 : u32 = thread_16.x;
-    var at_15 : u32 = _S44 * u32(6);
-    var result_12 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[at_15], inputs_0[at_15 + u32(1)], inputs_0[at_15 + u32(2)]), vec3<f32>(inputs_0[at_15 + u32(3)], inputs_0[at_15 + u32(4)], inputs_0[at_15 + u32(5)]));
-    var _S45 : u32 = _S44 * u32(3);
-    outputs_0[_S45] = result_12[i32(0)];
-    outputs_0[_S45 + u32(1)] = result_12[i32(1)];
-    outputs_0[_S45 + u32(2)] = result_12[i32(2)];
+    var _S47 : u32 = thread_17.x;
+    var at_16 : u32 = _S47 * u32(6);
+    var result_12 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[at_16], inputs_0[at_16 + u32(1)], inputs_0[at_16 + u32(2)]), vec3<f32>(inputs_0[at_16 + u32(3)], inputs_0[at_16 + u32(4)], inputs_0[at_16 + u32(5)]));
+    var _S48 : u32 = _S47 * u32(3);
+    outputs_0[_S48] = result_12[i32(0)];
+    outputs_0[_S48 + u32(1)] = result_12[i32(1)];
+    outputs_0[_S48 + u32(2)] = result_12[i32(2)];
     return;
 }
 
@@ -450,11 +471,11 @@ fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_visibility(@builtin(global_invocation_id) thread_17 : vec3<u32>)
+fn run_specular_visibility(@builtin(global_invocation_id) thread_18 : vec3<u32>)
 {
-    var _S46 : u32 = thread_17.x;
-    var at_16 : u32 = _S46 * u32(3);
-    outputs_0[_S46] = skin_specular_visibility_0(inputs_0[at_16], inputs_0[at_16 + u32(1)], inputs_0[at_16 + u32(2)]);
+    var _S49 : u32 = thread_18.x;
+    var at_17 : u32 = _S49 * u32(3);
+    outputs_0[_S49] = skin_specular_visibility_0(inputs_0[at_17], inputs_0[at_17 + u32(1)], inputs_0[at_17 + u32(2)]);
     return;
 }
 
@@ -465,11 +486,11 @@ fn skin_linear_depth_0( depth_0 : f32,  projection_0 : mat4x4<f32>) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_depth(@builtin(global_invocation_id) thread_18 : vec3<u32>)
+fn run_linear_depth(@builtin(global_invocation_id) thread_19 : vec3<u32>)
 {
-    var _S47 : u32 = thread_18.x;
-    var at_17 : u32 = _S47 * u32(17);
-    outputs_0[_S47] = skin_linear_depth_0(inputs_0[at_17], mat4x4<f32>(inputs_0[at_17 + u32(1)], inputs_0[at_17 + u32(2)], inputs_0[at_17 + u32(3)], inputs_0[at_17 + u32(4)], inputs_0[at_17 + u32(5)], inputs_0[at_17 + u32(6)], inputs_0[at_17 + u32(7)], inputs_0[at_17 + u32(8)], inputs_0[at_17 + u32(9)], inputs_0[at_17 + u32(10)], inputs_0[at_17 + u32(11)], inputs_0[at_17 + u32(12)], inputs_0[at_17 + u32(13)], inputs_0[at_17 + u32(14)], inputs_0[at_17 + u32(15)], inputs_0[at_17 + u32(16)]));
+    var _S50 : u32 = thread_19.x;
+    var at_18 : u32 = _S50 * u32(17);
+    outputs_0[_S50] = skin_linear_depth_0(inputs_0[at_18], mat4x4<f32>(inputs_0[at_18 + u32(1)], inputs_0[at_18 + u32(2)], inputs_0[at_18 + u32(3)], inputs_0[at_18 + u32(4)], inputs_0[at_18 + u32(5)], inputs_0[at_18 + u32(6)], inputs_0[at_18 + u32(7)], inputs_0[at_18 + u32(8)], inputs_0[at_18 + u32(9)], inputs_0[at_18 + u32(10)], inputs_0[at_18 + u32(11)], inputs_0[at_18 + u32(12)], inputs_0[at_18 + u32(13)], inputs_0[at_18 + u32(14)], inputs_0[at_18 + u32(15)], inputs_0[at_18 + u32(16)]));
     return;
 }
 
@@ -480,15 +501,15 @@ fn skin_inward_offset_0( position_mm_0 : vec3<f32>,  normal_2 : vec3<f32>,  offs
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_inward_offset(@builtin(global_invocation_id) thread_19 : vec3<u32>)
+fn run_inward_offset(@builtin(global_invocation_id) thread_20 : vec3<u32>)
 {
-    var _S48 : u32 = thread_19.x;
-    var at_18 : u32 = _S48 * u32(7);
-    var result_13 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[at_18], inputs_0[at_18 + u32(1)], inputs_0[at_18 + u32(2)]), vec3<f32>(inputs_0[at_18 + u32(3)], inputs_0[at_18 + u32(4)], inputs_0[at_18 + u32(5)]), inputs_0[at_18 + u32(6)]);
-    var _S49 : u32 = _S48 * u32(3);
-    outputs_0[_S49] = result_13[i32(0)];
-    outputs_0[_S49 + u32(1)] = result_13[i32(1)];
-    outputs_0[_S49 + u32(2)] = result_13[i32(2)];
+    var _S51 : u32 = thread_20.x;
+    var at_19 : u32 = _S51 * u32(7);
+    var result_13 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[at_19], inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)]), vec3<f32>(inputs_0[at_19 + u32(3)], inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)]), inputs_0[at_19 + u32(6)]);
+    var _S52 : u32 = _S51 * u32(3);
+    outputs_0[_S52] = result_13[i32(0)];
+    outputs_0[_S52 + u32(1)] = result_13[i32(1)];
+    outputs_0[_S52 + u32(2)] = result_13[i32(2)];
     return;
 }
 
@@ -523,37 +544,37 @@ fn skin_thickness_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : sampl
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_thickness(@builtin(global_invocation_id) thread_20 : vec3<u32>)
+fn run_thickness(@builtin(global_invocation_id) thread_21 : vec3<u32>)
 {
-    var _S50 : u32 = thread_20.x;
-    var at_19 : u32 = _S50 * u32(22);
-    outputs_0[_S50] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[at_19], inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)], inputs_0[at_19 + u32(3)], inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)], inputs_0[at_19 + u32(6)], inputs_0[at_19 + u32(7)], inputs_0[at_19 + u32(8)], inputs_0[at_19 + u32(9)], inputs_0[at_19 + u32(10)], inputs_0[at_19 + u32(11)], inputs_0[at_19 + u32(12)], inputs_0[at_19 + u32(13)], inputs_0[at_19 + u32(14)], inputs_0[at_19 + u32(15)]), vec2<f32>(inputs_0[at_19 + u32(16)], inputs_0[at_19 + u32(17)]), inputs_0[at_19 + u32(18)], vec2<f32>(inputs_0[at_19 + u32(19)], inputs_0[at_19 + u32(20)]), i32(inputs_0[at_19 + u32(21)]));
+    var _S53 : u32 = thread_21.x;
+    var at_20 : u32 = _S53 * u32(22);
+    outputs_0[_S53] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[at_20], inputs_0[at_20 + u32(1)], inputs_0[at_20 + u32(2)], inputs_0[at_20 + u32(3)], inputs_0[at_20 + u32(4)], inputs_0[at_20 + u32(5)], inputs_0[at_20 + u32(6)], inputs_0[at_20 + u32(7)], inputs_0[at_20 + u32(8)], inputs_0[at_20 + u32(9)], inputs_0[at_20 + u32(10)], inputs_0[at_20 + u32(11)], inputs_0[at_20 + u32(12)], inputs_0[at_20 + u32(13)], inputs_0[at_20 + u32(14)], inputs_0[at_20 + u32(15)]), vec2<f32>(inputs_0[at_20 + u32(16)], inputs_0[at_20 + u32(17)]), inputs_0[at_20 + u32(18)], vec2<f32>(inputs_0[at_20 + u32(19)], inputs_0[at_20 + u32(20)]), i32(inputs_0[at_20 + u32(21)]));
     return;
 }
 
 fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_2 * albedo_2;
-    var _S51 : vec3<f32> = vec3<f32>(1.0f);
-    var _S52 : vec3<f32> = vec3<f32>(2.0f);
-    var _S53 : vec3<f32> = _S52 * albedo_2;
-    var a_0 : vec3<f32> = (_S51 + a2_0) / _S53;
-    var b_0 : vec3<f32> = (_S51 - a2_0) / _S53;
+    var _S54 : vec3<f32> = vec3<f32>(1.0f);
+    var _S55 : vec3<f32> = vec3<f32>(2.0f);
+    var _S56 : vec3<f32> = _S55 * albedo_2;
+    var a_0 : vec3<f32> = (_S54 + a2_0) / _S56;
+    var b_0 : vec3<f32> = (_S54 - a2_0) / _S56;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
-    return _S52 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    return _S55 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_transmittance(@builtin(global_invocation_id) thread_21 : vec3<u32>)
+fn run_transmittance(@builtin(global_invocation_id) thread_22 : vec3<u32>)
 {
-    var _S54 : u32 = thread_21.x;
-    var at_20 : u32 = _S54 * u32(7);
-    var result_14 : vec3<f32> = skin_transmittance_0(inputs_0[at_20], vec3<f32>(inputs_0[at_20 + u32(1)], inputs_0[at_20 + u32(2)], inputs_0[at_20 + u32(3)]), vec3<f32>(inputs_0[at_20 + u32(4)], inputs_0[at_20 + u32(5)], inputs_0[at_20 + u32(6)]));
-    var _S55 : u32 = _S54 * u32(3);
-    outputs_0[_S55] = result_14[i32(0)];
-    outputs_0[_S55 + u32(1)] = result_14[i32(1)];
-    outputs_0[_S55 + u32(2)] = result_14[i32(2)];
+    var _S57 : u32 = thread_22.x;
+    var at_21 : u32 = _S57 * u32(7);
+    var result_14 : vec3<f32> = skin_transmittance_0(inputs_0[at_21], vec3<f32>(inputs_0[at_21 + u32(1)], inputs_0[at_21 + u32(2)], inputs_0[at_21 + u32(3)]), vec3<f32>(inputs_0[at_21 + u32(4)], inputs_0[at_21 + u32(5)], inputs_0[at_21 + u32(6)]));
+    var _S58 : u32 = _S57 * u32(3);
+    outputs_0[_S58] = result_14[i32(0)];
+    outputs_0[_S58 + u32(1)] = result_14[i32(1)];
+    outputs_0[_S58 + u32(2)] = result_14[i32(2)];
     return;
 }
 
@@ -565,11 +586,11 @@ fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f3
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_transmittance(@builtin(global_invocation_id) thread_22 : vec3<u32>)
+fn run_classic_transmittance(@builtin(global_invocation_id) thread_23 : vec3<u32>)
 {
-    var _S56 : u32 = thread_22.x;
-    var at_21 : u32 = _S56 * u32(2);
-    outputs_0[_S56] = skin_classic_transmittance_0(inputs_0[at_21], inputs_0[at_21 + u32(1)]);
+    var _S59 : u32 = thread_23.x;
+    var at_22 : u32 = _S59 * u32(2);
+    outputs_0[_S59] = skin_classic_transmittance_0(inputs_0[at_22], inputs_0[at_22 + u32(1)]);
     return;
 }
 
@@ -580,15 +601,15 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_23 : vec3<u32>)
+fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_24 : vec3<u32>)
 {
-    var _S57 : u32 = thread_23.x;
-    var at_22 : u32 = _S57 * u32(5);
-    var result_15 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[at_22], inputs_0[at_22 + u32(1)], inputs_0[at_22 + u32(2)]), inputs_0[at_22 + u32(3)], inputs_0[at_22 + u32(4)]);
-    var _S58 : u32 = _S57 * u32(3);
-    outputs_0[_S58] = result_15[i32(0)];
-    outputs_0[_S58 + u32(1)] = result_15[i32(1)];
-    outputs_0[_S58 + u32(2)] = result_15[i32(2)];
+    var _S60 : u32 = thread_24.x;
+    var at_23 : u32 = _S60 * u32(5);
+    var result_15 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[at_23], inputs_0[at_23 + u32(1)], inputs_0[at_23 + u32(2)]), inputs_0[at_23 + u32(3)], inputs_0[at_23 + u32(4)]);
+    var _S61 : u32 = _S60 * u32(3);
+    outputs_0[_S61] = result_15[i32(0)];
+    outputs_0[_S61 + u32(1)] = result_15[i32(1)];
+    outputs_0[_S61 + u32(2)] = result_15[i32(2)];
     return;
 }
 
@@ -599,15 +620,15 @@ fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_25 : vec3<u32>)
 {
-    var _S59 : u32 = thread_24.x;
-    var at_23 : u32 = _S59 * u32(7);
-    var result_16 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[at_23], inputs_0[at_23 + u32(1)], inputs_0[at_23 + u32(2)]), vec3<f32>(inputs_0[at_23 + u32(3)], inputs_0[at_23 + u32(4)], inputs_0[at_23 + u32(5)]), inputs_0[at_23 + u32(6)]);
-    var _S60 : u32 = _S59 * u32(3);
-    outputs_0[_S60] = result_16[i32(0)];
-    outputs_0[_S60 + u32(1)] = result_16[i32(1)];
-    outputs_0[_S60 + u32(2)] = result_16[i32(2)];
+    var _S62 : u32 = thread_25.x;
+    var at_24 : u32 = _S62 * u32(7);
+    var result_16 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[at_24], inputs_0[at_24 + u32(1)], inputs_0[at_24 + u32(2)]), vec3<f32>(inputs_0[at_24 + u32(3)], inputs_0[at_24 + u32(4)], inputs_0[at_24 + u32(5)]), inputs_0[at_24 + u32(6)]);
+    var _S63 : u32 = _S62 * u32(3);
+    outputs_0[_S63] = result_16[i32(0)];
+    outputs_0[_S63 + u32(1)] = result_16[i32(1)];
+    outputs_0[_S63 + u32(2)] = result_16[i32(2)];
     return;
 }
 
@@ -618,10 +639,10 @@ fn skin_specular_power_0( gloss_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_power(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+fn run_specular_power(@builtin(global_invocation_id) thread_26 : vec3<u32>)
 {
-    var _S61 : u32 = thread_25.x;
-    outputs_0[_S61] = skin_specular_power_0(inputs_0[_S61]);
+    var _S64 : u32 = thread_26.x;
+    outputs_0[_S64] = skin_specular_power_0(inputs_0[_S64]);
     return;
 }
 
@@ -634,35 +655,35 @@ fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_of_relief(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_27 : vec3<u32>)
 {
-    var _S62 : u32 = thread_26.x;
-    var at_24 : u32 = _S62 * u32(2);
-    outputs_0[_S62] = skin_gloss_of_relief_0(inputs_0[at_24], inputs_0[at_24 + u32(1)]);
+    var _S65 : u32 = thread_27.x;
+    var at_25 : u32 = _S65 * u32(2);
+    outputs_0[_S65] = skin_gloss_of_relief_0(inputs_0[at_25], inputs_0[at_25 + u32(1)]);
     return;
 }
 
 fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 {
-    var _S63 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S63 * _S63;
+    var _S66 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S66 * _S66;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_27 : vec3<u32>)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_28 : vec3<u32>)
 {
-    var _S64 : u32 = thread_27.x;
-    outputs_0[_S64] = skin_gloss_from_roughness_0(inputs_0[_S64]);
+    var _S67 : u32 = thread_28.x;
+    outputs_0[_S67] = skin_gloss_from_roughness_0(inputs_0[_S67]);
     return;
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_1 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S65 : f32 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S65 * n_dot_l_2) * (k_0 + _S65 * n_dot_v_1)));
+    var _S68 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S68 * n_dot_l_2) * (k_0 + _S68 * n_dot_v_1)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
@@ -679,11 +700,11 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular(@builtin(global_invocation_id) thread_28 : vec3<u32>)
+fn run_specular(@builtin(global_invocation_id) thread_29 : vec3<u32>)
 {
-    var _S66 : u32 = thread_28.x;
-    var at_25 : u32 = _S66 * u32(11);
-    outputs_0[_S66] = skin_specular_0(vec3<f32>(inputs_0[at_25], inputs_0[at_25 + u32(1)], inputs_0[at_25 + u32(2)]), vec3<f32>(inputs_0[at_25 + u32(3)], inputs_0[at_25 + u32(4)], inputs_0[at_25 + u32(5)]), vec3<f32>(inputs_0[at_25 + u32(6)], inputs_0[at_25 + u32(7)], inputs_0[at_25 + u32(8)]), inputs_0[at_25 + u32(9)], inputs_0[at_25 + u32(10)]);
+    var _S69 : u32 = thread_29.x;
+    var at_26 : u32 = _S69 * u32(11);
+    outputs_0[_S69] = skin_specular_0(vec3<f32>(inputs_0[at_26], inputs_0[at_26 + u32(1)], inputs_0[at_26 + u32(2)]), vec3<f32>(inputs_0[at_26 + u32(3)], inputs_0[at_26 + u32(4)], inputs_0[at_26 + u32(5)]), vec3<f32>(inputs_0[at_26 + u32(6)], inputs_0[at_26 + u32(7)], inputs_0[at_26 + u32(8)]), inputs_0[at_26 + u32(9)], inputs_0[at_26 + u32(10)]);
     return;
 }
 
@@ -694,15 +715,15 @@ fn skin_reflected_0( normal_4 : vec3<f32>,  view_1 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected(@builtin(global_invocation_id) thread_29 : vec3<u32>)
+fn run_reflected(@builtin(global_invocation_id) thread_30 : vec3<u32>)
 {
-    var _S67 : u32 = thread_29.x;
-    var at_26 : u32 = _S67 * u32(6);
-    var result_17 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[at_26], inputs_0[at_26 + u32(1)], inputs_0[at_26 + u32(2)]), vec3<f32>(inputs_0[at_26 + u32(3)], inputs_0[at_26 + u32(4)], inputs_0[at_26 + u32(5)]));
-    var _S68 : u32 = _S67 * u32(3);
-    outputs_0[_S68] = result_17[i32(0)];
-    outputs_0[_S68 + u32(1)] = result_17[i32(1)];
-    outputs_0[_S68 + u32(2)] = result_17[i32(2)];
+    var _S70 : u32 = thread_30.x;
+    var at_27 : u32 = _S70 * u32(6);
+    var result_17 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]), vec3<f32>(inputs_0[at_27 + u32(3)], inputs_0[at_27 + u32(4)], inputs_0[at_27 + u32(5)]));
+    var _S71 : u32 = _S70 * u32(3);
+    outputs_0[_S71] = result_17[i32(0)];
+    outputs_0[_S71 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S71 + u32(2)] = result_17[i32(2)];
     return;
 }
 
@@ -715,11 +736,11 @@ fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectanc
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_30 : vec3<u32>)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_31 : vec3<u32>)
 {
-    var _S69 : u32 = thread_30.x;
-    var at_27 : u32 = _S69 * u32(3);
-    outputs_0[_S69] = skin_ambient_specular_fresnel_0(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]);
+    var _S72 : u32 = thread_31.x;
+    var at_28 : u32 = _S72 * u32(3);
+    outputs_0[_S72] = skin_ambient_specular_fresnel_0(inputs_0[at_28], inputs_0[at_28 + u32(1)], inputs_0[at_28 + u32(2)]);
     return;
 }
 
@@ -730,100 +751,174 @@ fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_diffuse_share(@builtin(global_invocation_id) thread_31 : vec3<u32>)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_32 : vec3<u32>)
 {
-    var _S70 : u32 = thread_31.x;
-    var at_28 : u32 = _S70 * u32(3);
-    outputs_0[_S70] = skin_diffuse_share_0(inputs_0[at_28], inputs_0[at_28 + u32(1)], inputs_0[at_28 + u32(2)]);
+    var _S73 : u32 = thread_32.x;
+    var at_29 : u32 = _S73 * u32(3);
+    outputs_0[_S73] = skin_diffuse_share_0(inputs_0[at_29], inputs_0[at_29 + u32(1)], inputs_0[at_29 + u32(2)]);
+    return;
+}
+
+fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
+{
+    var _S74 : f32 = direction_0.x;
+    var _S75 : f32 = direction_0.z;
+    var level_0 : f32 = sqrt(_S74 * _S74 + _S75 * _S75);
+    var x_1 : f32;
+    if(level_0 > 0.0f)
+    {
+        x_1 = _S74;
+    }
+    else
+    {
+        x_1 = 1.0f;
+    }
+    return vec2<f32>(0.5f + atan2(_S75, x_1) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_equirectangular_uv(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+{
+    var _S76 : u32 = thread_33.x;
+    var at_30 : u32 = _S76 * u32(3);
+    var result_18 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[at_30], inputs_0[at_30 + u32(1)], inputs_0[at_30 + u32(2)]));
+    var _S77 : u32 = _S76 * u32(2);
+    outputs_0[_S77] = result_18[i32(0)];
+    outputs_0[_S77 + u32(1)] = result_18[i32(1)];
+    return;
+}
+
+fn skin_reflection_level_0( power_2 : f32) -> f32
+{
+    return clamp(0.5f * log2(max(power_2, 1.0f)), 0.0f, 4.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflection_level(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+{
+    var _S78 : u32 = thread_34.x;
+    outputs_0[_S78] = skin_reflection_level_0(inputs_0[_S78]);
+    return;
+}
+
+fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_1 : vec2<f32>,  power_3 : f32) -> vec3<f32>
+{
+    var level_1 : f32 = skin_reflection_level_0(power_3);
+    var _S79 : f32 = min(floor(level_1), 3.0f);
+    var row_1 : f32 = clamp(uv_1.y, 0.0078125f, 0.9921875f);
+    var _S80 : f32 = uv_1.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S80, (_S79 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S80, (_S79 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S79)));
+}
+
+fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_1 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+{
+    var uv_2 : vec2<f32> = skin_equirectangular_uv_0(direction_1);
+    var power_4 : f32 = skin_specular_power_0(gloss_5);
+    return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_2, power_4 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_2, power_4 * power_4 / 4.0f), vec3<f32>(0.05000000074505806f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflected_radiance(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+{
+    var _S81 : u32 = thread_35.x;
+    var at_31 : u32 = _S81 * u32(4);
+    var result_19 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[at_31], inputs_0[at_31 + u32(1)], inputs_0[at_31 + u32(2)]), inputs_0[at_31 + u32(3)]);
+    var _S82 : u32 = _S81 * u32(3);
+    outputs_0[_S82] = result_19[i32(0)];
+    outputs_0[_S82 + u32(1)] = result_19[i32(1)];
+    outputs_0[_S82 + u32(2)] = result_19[i32(2)];
     return;
 }
 
 fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 {
-    var x_1 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S71 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_1;
-    return x_1 * (_S71 + vec3<f32>(0.5f)) / (x_1 * (_S71 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var x_2 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S83 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_2;
+    return x_2 * (_S83 + vec3<f32>(0.5f)) / (x_2 * (_S83 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_filmic(@builtin(global_invocation_id) thread_32 : vec3<u32>)
+fn run_filmic(@builtin(global_invocation_id) thread_36 : vec3<u32>)
 {
-    var at_29 : u32 = thread_32.x * u32(3);
-    var _S72 : u32 = at_29 + u32(1);
-    var _S73 : u32 = at_29 + u32(2);
-    var result_18 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_29], inputs_0[_S72], inputs_0[_S73]));
-    outputs_0[at_29] = result_18[i32(0)];
-    outputs_0[_S72] = result_18[i32(1)];
-    outputs_0[_S73] = result_18[i32(2)];
+    var at_32 : u32 = thread_36.x * u32(3);
+    var _S84 : u32 = at_32 + u32(1);
+    var _S85 : u32 = at_32 + u32(2);
+    var result_20 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_32], inputs_0[_S84], inputs_0[_S85]));
+    outputs_0[at_32] = result_20[i32(0)];
+    outputs_0[_S84] = result_20[i32(1)];
+    outputs_0[_S85] = result_20[i32(2)];
     return;
 }
 
-fn skin_srgb_curve_0( x_2 : f32) -> f32
+fn skin_srgb_curve_0( x_3 : f32) -> f32
 {
-    var _S74 : f32;
-    if(x_2 <= 0.00313080009073019f)
+    var _S86 : f32;
+    if(x_3 <= 0.00313080009073019f)
     {
-        _S74 = 12.92000007629394531f * x_2;
+        _S86 = 12.92000007629394531f * x_3;
     }
     else
     {
-        _S74 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S86 = 1.0549999475479126f * pow(max(x_3, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S74;
+    return _S86;
 }
 
 fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
 {
-    var x_3 : vec3<f32> = saturate(light_7);
-    return vec3<f32>(skin_srgb_curve_0(x_3.x), skin_srgb_curve_0(x_3.y), skin_srgb_curve_0(x_3.z));
+    var x_4 : vec3<f32> = saturate(light_7);
+    return vec3<f32>(skin_srgb_curve_0(x_4.x), skin_srgb_curve_0(x_4.y), skin_srgb_curve_0(x_4.z));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_srgb_from_linear(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_37 : vec3<u32>)
 {
-    var at_30 : u32 = thread_33.x * u32(3);
-    var _S75 : u32 = at_30 + u32(1);
-    var _S76 : u32 = at_30 + u32(2);
-    var result_19 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_30], inputs_0[_S75], inputs_0[_S76]));
-    outputs_0[at_30] = result_19[i32(0)];
-    outputs_0[_S75] = result_19[i32(1)];
-    outputs_0[_S76] = result_19[i32(2)];
+    var at_33 : u32 = thread_37.x * u32(3);
+    var _S87 : u32 = at_33 + u32(1);
+    var _S88 : u32 = at_33 + u32(2);
+    var result_21 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_33], inputs_0[_S87], inputs_0[_S88]));
+    outputs_0[at_33] = result_21[i32(0)];
+    outputs_0[_S87] = result_21[i32(1)];
+    outputs_0[_S88] = result_21[i32(2)];
     return;
 }
 
-fn skin_linear_curve_0( x_4 : f32) -> f32
+fn skin_linear_curve_0( x_5 : f32) -> f32
 {
-    var _S77 : f32;
-    if(x_4 <= 0.04044999927282333f)
+    var _S89 : f32;
+    if(x_5 <= 0.04044999927282333f)
     {
-        _S77 = x_4 / 12.92000007629394531f;
+        _S89 = x_5 / 12.92000007629394531f;
     }
     else
     {
-        _S77 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S89 = pow((x_5 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S77;
+    return _S89;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 {
-    var x_5 : vec3<f32> = saturate(display_0);
-    return vec3<f32>(skin_linear_curve_0(x_5.x), skin_linear_curve_0(x_5.y), skin_linear_curve_0(x_5.z));
+    var x_6 : vec3<f32> = saturate(display_0);
+    return vec3<f32>(skin_linear_curve_0(x_6.x), skin_linear_curve_0(x_6.y), skin_linear_curve_0(x_6.z));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_from_srgb(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
-    var at_31 : u32 = thread_34.x * u32(3);
-    var _S78 : u32 = at_31 + u32(1);
-    var _S79 : u32 = at_31 + u32(2);
-    var result_20 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_31], inputs_0[_S78], inputs_0[_S79]));
-    outputs_0[at_31] = result_20[i32(0)];
-    outputs_0[_S78] = result_20[i32(1)];
-    outputs_0[_S79] = result_20[i32(2)];
+    var at_34 : u32 = thread_38.x * u32(3);
+    var _S90 : u32 = at_34 + u32(1);
+    var _S91 : u32 = at_34 + u32(2);
+    var result_22 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_34], inputs_0[_S90], inputs_0[_S91]));
+    outputs_0[at_34] = result_22[i32(0)];
+    outputs_0[_S90] = result_22[i32(1)];
+    outputs_0[_S91] = result_22[i32(2)];
     return;
 }
 
@@ -834,11 +929,11 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_blur_level(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
-    var _S80 : u32 = thread_35.x;
-    var at_32 : u32 = _S80 * u32(4);
-    outputs_0[_S80] = skin_classic_blur_level_0(inputs_0[at_32], inputs_0[at_32 + u32(1)], inputs_0[at_32 + u32(2)], inputs_0[at_32 + u32(3)]);
+    var _S92 : u32 = thread_39.x;
+    var at_35 : u32 = _S92 * u32(4);
+    outputs_0[_S92] = skin_classic_blur_level_0(inputs_0[at_35], inputs_0[at_35 + u32(1)], inputs_0[at_35 + u32(2)], inputs_0[at_35 + u32(3)]);
     return;
 }
 
@@ -852,15 +947,15 @@ fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lu
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_direct(@builtin(global_invocation_id) thread_36 : vec3<u32>)
+fn run_classic_direct(@builtin(global_invocation_id) thread_40 : vec3<u32>)
 {
-    var _S81 : u32 = thread_36.x;
-    var at_33 : u32 = _S81 * u32(14);
-    var result_21 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_33], inputs_0[at_33 + u32(1)], inputs_0[at_33 + u32(2)], inputs_0[at_33 + u32(3)]), vec3<f32>(inputs_0[at_33 + u32(4)], inputs_0[at_33 + u32(5)], inputs_0[at_33 + u32(6)]), vec3<f32>(inputs_0[at_33 + u32(7)], inputs_0[at_33 + u32(8)], inputs_0[at_33 + u32(9)]), vec3<f32>(inputs_0[at_33 + u32(10)], inputs_0[at_33 + u32(11)], inputs_0[at_33 + u32(12)]), inputs_0[at_33 + u32(13)]);
-    var _S82 : u32 = _S81 * u32(3);
-    outputs_0[_S82] = result_21[i32(0)];
-    outputs_0[_S82 + u32(1)] = result_21[i32(1)];
-    outputs_0[_S82 + u32(2)] = result_21[i32(2)];
+    var _S93 : u32 = thread_40.x;
+    var at_36 : u32 = _S93 * u32(14);
+    var result_23 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]), vec3<f32>(inputs_0[at_36 + u32(4)], inputs_0[at_36 + u32(5)], inputs_0[at_36 + u32(6)]), vec3<f32>(inputs_0[at_36 + u32(7)], inputs_0[at_36 + u32(8)], inputs_0[at_36 + u32(9)]), vec3<f32>(inputs_0[at_36 + u32(10)], inputs_0[at_36 + u32(11)], inputs_0[at_36 + u32(12)]), inputs_0[at_36 + u32(13)]);
+    var _S94 : u32 = _S93 * u32(3);
+    outputs_0[_S94] = result_23[i32(0)];
+    outputs_0[_S94 + u32(1)] = result_23[i32(1)];
+    outputs_0[_S94 + u32(2)] = result_23[i32(2)];
     return;
 }
 
@@ -871,21 +966,21 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_41 : vec3<u32>)
 {
-    var _S83 : u32 = thread_37.x;
-    var at_34 : u32 = _S83 * u32(6);
-    var result_22 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_34], inputs_0[at_34 + u32(1)], inputs_0[at_34 + u32(2)]), vec3<f32>(inputs_0[at_34 + u32(3)], inputs_0[at_34 + u32(4)], inputs_0[at_34 + u32(5)]));
-    var _S84 : u32 = _S83 * u32(9);
-    outputs_0[_S84] = result_22[i32(0)][i32(0)];
-    outputs_0[_S84 + u32(1)] = result_22[i32(0)][i32(1)];
-    outputs_0[_S84 + u32(2)] = result_22[i32(0)][i32(2)];
-    outputs_0[_S84 + u32(3)] = result_22[i32(1)][i32(0)];
-    outputs_0[_S84 + u32(4)] = result_22[i32(1)][i32(1)];
-    outputs_0[_S84 + u32(5)] = result_22[i32(1)][i32(2)];
-    outputs_0[_S84 + u32(6)] = result_22[i32(2)][i32(0)];
-    outputs_0[_S84 + u32(7)] = result_22[i32(2)][i32(1)];
-    outputs_0[_S84 + u32(8)] = result_22[i32(2)][i32(2)];
+    var _S95 : u32 = thread_41.x;
+    var at_37 : u32 = _S95 * u32(6);
+    var result_24 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_37], inputs_0[at_37 + u32(1)], inputs_0[at_37 + u32(2)]), vec3<f32>(inputs_0[at_37 + u32(3)], inputs_0[at_37 + u32(4)], inputs_0[at_37 + u32(5)]));
+    var _S96 : u32 = _S95 * u32(9);
+    outputs_0[_S96] = result_24[i32(0)][i32(0)];
+    outputs_0[_S96 + u32(1)] = result_24[i32(0)][i32(1)];
+    outputs_0[_S96 + u32(2)] = result_24[i32(0)][i32(2)];
+    outputs_0[_S96 + u32(3)] = result_24[i32(1)][i32(0)];
+    outputs_0[_S96 + u32(4)] = result_24[i32(1)][i32(1)];
+    outputs_0[_S96 + u32(5)] = result_24[i32(1)][i32(2)];
+    outputs_0[_S96 + u32(6)] = result_24[i32(2)][i32(0)];
+    outputs_0[_S96 + u32(7)] = result_24[i32(2)][i32(1)];
+    outputs_0[_S96 + u32(8)] = result_24[i32(2)][i32(2)];
     return;
 }
 
@@ -896,11 +991,11 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_42 : vec3<u32>)
 {
-    var _S85 : u32 = thread_38.x;
-    var at_35 : u32 = _S85 * u32(2);
-    outputs_0[_S85] = skin_classic_sharpened_shadow_0(inputs_0[at_35], inputs_0[at_35 + u32(1)]);
+    var _S97 : u32 = thread_42.x;
+    var at_38 : u32 = _S97 * u32(2);
+    outputs_0[_S97] = skin_classic_sharpened_shadow_0(inputs_0[at_38], inputs_0[at_38 + u32(1)]);
     return;
 }
 
@@ -911,11 +1006,11 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_39 : vec3<u32>)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_43 : vec3<u32>)
 {
-    var _S86 : u32 = thread_39.x;
-    var at_36 : u32 = _S86 * u32(4);
-    outputs_0[_S86] = skin_classic_deep_scatter_0(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]);
+    var _S98 : u32 = thread_43.x;
+    var at_39 : u32 = _S98 * u32(4);
+    outputs_0[_S98] = skin_classic_deep_scatter_0(inputs_0[at_39], inputs_0[at_39 + u32(1)], inputs_0[at_39 + u32(2)], inputs_0[at_39 + u32(3)]);
     return;
 }
 

@@ -142,12 +142,19 @@ float skin_sharpened_shadow(float shadow_filter_1, float sharpening_0)
     return skin_smoothstep((0.5 - sin(asin(1.0 - 2.0 * saturate_1(shadow_filter_1)) / 3.0) - 0.5) * sharpening_0 + 0.5);
 }
 
+float skin_variance_shadow(float mean_depth_mm_0, float mean_square_depth_mm2_0, float depth_mm_0)
+{
+    float _S6 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258);
+    float _S7 = max(depth_mm_0 - mean_depth_mm_0, 0.0);
+    return _S6 / (_S6 + _S7 * _S7);
+}
+
 vec3 skin_sh_bands(mat3x3 sh_0, vec3 d_0)
 {
-    float _S6 = d_0.y;
-    float _S7 = d_0.z;
-    float _S8 = d_0.x;
-    return vec3(0.282094806432724 * sh_0[0].x, 0.48860251903533936 * (sh_0[0].y * _S6 + sh_0[0].z * _S7 + sh_0[1].x * _S8), 1.09254848957061768 * (sh_0[1].y * _S8 * _S6 + sh_0[1].z * _S6 * _S7 + sh_0[2].y * _S8 * _S7) + 0.31539157032966614 * sh_0[2].x * (3.0 * _S7 * _S7 - 1.0) + 0.54627424478530884 * sh_0[2].z * (_S8 * _S8 - _S6 * _S6));
+    float _S8 = d_0.y;
+    float _S9 = d_0.z;
+    float _S10 = d_0.x;
+    return vec3(0.282094806432724 * sh_0[0].x, 0.48860251903533936 * (sh_0[0].y * _S8 + sh_0[0].z * _S9 + sh_0[1].x * _S10), 1.09254848957061768 * (sh_0[1].y * _S10 * _S8 + sh_0[1].z * _S8 * _S9 + sh_0[2].y * _S10 * _S9) + 0.31539157032966614 * sh_0[2].x * (3.0 * _S9 * _S9 - 1.0) + 0.54627424478530884 * sh_0[2].z * (_S10 * _S10 - _S8 * _S8));
 }
 
 float skin_ambient_channel(mat3x3 sh_1, vec3 normal_1, vec3 band_transfer_0)
@@ -240,9 +247,9 @@ float skin_thickness(sampler2D depth_map_0, mat4x4 projection_1, vec2 uv_0, floa
 vec3 skin_transmittance(float thickness_mm_0, vec3 albedo_2, vec3 sigma_per_mm_0)
 {
     vec3 a2_0 = albedo_2 * albedo_2;
-    vec3 _S9 = 2.0 * albedo_2;
-    vec3 a_0 = (1.0 + a2_0) / _S9;
-    vec3 b_0 = (1.0 - a2_0) / _S9;
+    vec3 _S11 = 2.0 * albedo_2;
+    vec3 a_0 = (1.0 + a2_0) / _S11;
+    vec3 b_0 = (1.0 - a2_0) / _S11;
     vec3 decay_0 = exp(- sigma_per_mm_0 * thickness_mm_0);
     return 2.0 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
 }
@@ -277,16 +284,16 @@ float skin_gloss_of_relief(float gloss_1, float normal_length_0)
 
 float skin_gloss_from_roughness(float roughness_1)
 {
-    float _S10 = max(roughness_1, 0.00100000004749745);
-    float r2_0 = _S10 * _S10;
+    float _S12 = max(roughness_1, 0.00100000004749745);
+    float r2_0 = _S12 * _S12;
     return clamp(log2(max(2.0 / (r2_0 * r2_0) - 2.0, 1.0)) / 13.0, 0.0, 1.0);
 }
 
 float skin_lobe(float n_dot_h_0, float n_dot_l_2, float n_dot_v_1, float power_1)
 {
     float k_0 = (inversesqrt((3.14159274101257324 * power_1 / 4.0 + 1.57079637050628662)));
-    float _S11 = 1.0 - k_0;
-    return (power_1 + 2.0) / 6.28318548202514648 * pow(max(n_dot_h_0, 9.99999971718068537e-10), power_1) * (0.25 / ((k_0 + _S11 * n_dot_l_2) * (k_0 + _S11 * n_dot_v_1)));
+    float _S13 = 1.0 - k_0;
+    return (power_1 + 2.0) / 6.28318548202514648 * pow(max(n_dot_h_0, 9.99999971718068537e-10), power_1) * (0.25 / ((k_0 + _S13 * n_dot_l_2) * (k_0 + _S13 * n_dot_v_1)));
 }
 
 float skin_specular(vec3 normal_3, vec3 view_0, vec3 light_5, float gloss_2, float reflectance_0)
@@ -318,51 +325,89 @@ float skin_diffuse_share(float n_dot_v_4, float gloss_4, float reflectance_2)
     return 1.0 - skin_ambient_specular_fresnel(n_dot_v_4, gloss_4, reflectance_2);
 }
 
-vec3 skin_filmic(vec3 light_6)
+vec2 skin_equirectangular_uv(vec3 direction_0)
 {
-    vec3 x_3 = max(light_6 - 0.00400000018998981, vec3(0.0));
-    vec3 _S12 = 6.19999980926513672 * x_3;
-    return x_3 * (_S12 + 0.5) / (x_3 * (_S12 + 1.70000004768371582) + 0.05999999865889549);
-}
-
-float skin_srgb_curve(float x_4)
-{
-    float _S13;
-    if(x_4 <= 0.00313080009073019)
+    float _S14 = direction_0.x;
+    float _S15 = direction_0.z;
+    float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
+    float x_3;
+    if(level_0 > 0.0)
     {
-        _S13 = 12.92000007629394531 * x_4;
+        x_3 = _S14;
     }
     else
     {
-        _S13 = 1.0549999475479126 * pow(max(x_4, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        x_3 = 1.0;
     }
-    return _S13;
+    return vec2(0.5 + (atan((_S15),(x_3))) / 6.28318548202514648, (atan((level_0),(direction_0.y))) / 3.14159274101257324);
+}
+
+float skin_reflection_level(float power_2)
+{
+    return clamp(0.5 * log2(max(power_2, 1.0)), 0.0, 4.0);
+}
+
+vec3 skin_preconvolved(sampler2D preconvolved_0, vec2 uv_1, float power_3)
+{
+    float level_1 = skin_reflection_level(power_3);
+    float _S16 = min(floor(level_1), 3.0);
+    float row_1 = clamp(uv_1.y, 0.0078125, 0.9921875);
+    float _S17 = uv_1.x;
+    return mix((textureLod((preconvolved_0), (vec2(_S17, (_S16 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved_0), (vec2(_S17, (_S16 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_1 - _S16));
+}
+
+vec3 skin_reflected_radiance(sampler2D preconvolved_1, vec3 direction_1, float gloss_5)
+{
+    vec2 uv_2 = skin_equirectangular_uv(direction_1);
+    float power_4 = skin_specular_power(gloss_5);
+    return mix(skin_preconvolved(preconvolved_1, uv_2, power_4 / 4.0), skin_preconvolved(preconvolved_1, uv_2, power_4 * power_4 / 4.0), vec3(0.05000000074505806));
+}
+
+vec3 skin_filmic(vec3 light_6)
+{
+    vec3 x_4 = max(light_6 - 0.00400000018998981, vec3(0.0));
+    vec3 _S18 = 6.19999980926513672 * x_4;
+    return x_4 * (_S18 + 0.5) / (x_4 * (_S18 + 1.70000004768371582) + 0.05999999865889549);
+}
+
+float skin_srgb_curve(float x_5)
+{
+    float _S19;
+    if(x_5 <= 0.00313080009073019)
+    {
+        _S19 = 12.92000007629394531 * x_5;
+    }
+    else
+    {
+        _S19 = 1.0549999475479126 * pow(max(x_5, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+    }
+    return _S19;
 }
 
 vec3 skin_srgb_from_linear(vec3 light_7)
 {
-    vec3 x_5 = saturate_0(light_7);
-    return vec3(skin_srgb_curve(x_5.x), skin_srgb_curve(x_5.y), skin_srgb_curve(x_5.z));
+    vec3 x_6 = saturate_0(light_7);
+    return vec3(skin_srgb_curve(x_6.x), skin_srgb_curve(x_6.y), skin_srgb_curve(x_6.z));
 }
 
-float skin_linear_curve(float x_6)
+float skin_linear_curve(float x_7)
 {
-    float _S14;
-    if(x_6 <= 0.04044999927282333)
+    float _S20;
+    if(x_7 <= 0.04044999927282333)
     {
-        _S14 = x_6 / 12.92000007629394531;
+        _S20 = x_7 / 12.92000007629394531;
     }
     else
     {
-        _S14 = pow((x_6 + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S20 = pow((x_7 + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
-    return _S14;
+    return _S20;
 }
 
 vec3 skin_linear_from_srgb(vec3 display_0)
 {
-    vec3 x_7 = saturate_0(display_0);
-    return vec3(skin_linear_curve(x_7.x), skin_linear_curve(x_7.y), skin_linear_curve(x_7.z));
+    vec3 x_8 = saturate_0(display_0);
+    return vec3(skin_linear_curve(x_8.x), skin_linear_curve(x_8.y), skin_linear_curve(x_8.z));
 }
 
 float skin_classic_blur_level(float radius_mm_1, float uv_scale_mm_1, float map_size_1, float hardware_level_1)

@@ -128,12 +128,19 @@ float skin_sharpened_shadow(float shadow_filter_1, float sharpening_0)
     return skin_smoothstep((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
 }
 
+float skin_variance_shadow(float mean_depth_mm_0, float mean_square_depth_mm2_0, float depth_mm_0)
+{
+    float _S6 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    float _S7 = max(depth_mm_0 - mean_depth_mm_0, 0.0f);
+    return _S6 / (_S6 + _S7 * _S7);
+}
+
 float3 skin_sh_bands(float3x3 sh_0, float3 d_0)
 {
-    float _S6 = d_0.y;
-    float _S7 = d_0.z;
-    float _S8 = d_0.x;
-    return float3(0.282094806432724f * sh_0[int(0)].x, 0.48860251903533936f * (sh_0[int(0)].y * _S6 + sh_0[int(0)].z * _S7 + sh_0[int(1)].x * _S8), 1.09254848957061768f * (sh_0[int(1)].y * _S8 * _S6 + sh_0[int(1)].z * _S6 * _S7 + sh_0[int(2)].y * _S8 * _S7) + 0.31539157032966614f * sh_0[int(2)].x * (3.0f * _S7 * _S7 - 1.0f) + 0.54627424478530884f * sh_0[int(2)].z * (_S8 * _S8 - _S6 * _S6));
+    float _S8 = d_0.y;
+    float _S9 = d_0.z;
+    float _S10 = d_0.x;
+    return float3(0.282094806432724f * sh_0[int(0)].x, 0.48860251903533936f * (sh_0[int(0)].y * _S8 + sh_0[int(0)].z * _S9 + sh_0[int(1)].x * _S10), 1.09254848957061768f * (sh_0[int(1)].y * _S10 * _S8 + sh_0[int(1)].z * _S8 * _S9 + sh_0[int(2)].y * _S10 * _S9) + 0.31539157032966614f * sh_0[int(2)].x * (3.0f * _S9 * _S9 - 1.0f) + 0.54627424478530884f * sh_0[int(2)].z * (_S10 * _S10 - _S8 * _S8));
 }
 
 float skin_ambient_channel(float3x3 sh_1, float3 normal_1, float3 band_transfer_0)
@@ -226,9 +233,9 @@ float skin_thickness(Texture2D<float4 > depth_map_0, SamplerState depth_map_samp
 float3 skin_transmittance(float thickness_mm_0, float3 albedo_2, float3 sigma_per_mm_0)
 {
     float3 a2_0 = albedo_2 * albedo_2;
-    float3 _S9 = 2.0f * albedo_2;
-    float3 a_0 = (1.0f + a2_0) / _S9;
-    float3 b_0 = (1.0f - a2_0) / _S9;
+    float3 _S11 = 2.0f * albedo_2;
+    float3 a_0 = (1.0f + a2_0) / _S11;
+    float3 b_0 = (1.0f - a2_0) / _S11;
     float3 decay_0 = exp(- sigma_per_mm_0 * thickness_mm_0);
     return 2.0f * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
 }
@@ -263,16 +270,16 @@ float skin_gloss_of_relief(float gloss_1, float normal_length_0)
 
 float skin_gloss_from_roughness(float roughness_1)
 {
-    float _S10 = max(roughness_1, 0.00100000004749745f);
-    float r2_0 = _S10 * _S10;
+    float _S12 = max(roughness_1, 0.00100000004749745f);
+    float r2_0 = _S12 * _S12;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 float skin_lobe(float n_dot_h_0, float n_dot_l_2, float n_dot_v_1, float power_1)
 {
     float k_0 = rsqrt(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    float _S11 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S11 * n_dot_l_2) * (k_0 + _S11 * n_dot_v_1)));
+    float _S13 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S13 * n_dot_l_2) * (k_0 + _S13 * n_dot_v_1)));
 }
 
 float skin_specular(float3 normal_3, float3 view_0, float3 light_5, float gloss_2, float reflectance_0)
@@ -304,51 +311,89 @@ float skin_diffuse_share(float n_dot_v_4, float gloss_4, float reflectance_2)
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v_4, gloss_4, reflectance_2);
 }
 
-float3 skin_filmic(float3 light_6)
+float2 skin_equirectangular_uv(float3 direction_0)
 {
-    float3 x_0 = max(light_6 - 0.00400000018998981f, (float3)0.0f);
-    float3 _S12 = 6.19999980926513672f * x_0;
-    return x_0 * (_S12 + 0.5f) / (x_0 * (_S12 + 1.70000004768371582f) + 0.05999999865889549f);
-}
-
-float skin_srgb_curve(float x_1)
-{
-    float _S13;
-    if(x_1 <= 0.00313080009073019f)
+    float _S14 = direction_0.x;
+    float _S15 = direction_0.z;
+    float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
+    float x_0;
+    if(level_0 > 0.0f)
     {
-        _S13 = 12.92000007629394531f * x_1;
+        x_0 = _S14;
     }
     else
     {
-        _S13 = 1.0549999475479126f * pow(max(x_1, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        x_0 = 1.0f;
     }
-    return _S13;
+    return float2(0.5f + atan2(_S15, x_0) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+}
+
+float skin_reflection_level(float power_2)
+{
+    return clamp(0.5f * log2(max(power_2, 1.0f)), 0.0f, 4.0f);
+}
+
+float3 skin_preconvolved(Texture2D<float4 > preconvolved_0, SamplerState preconvolved_sampler_0, float2 uv_1, float power_3)
+{
+    float level_1 = skin_reflection_level(power_3);
+    float _S16 = min(floor(level_1), 3.0f);
+    float row_1 = clamp(uv_1.y, 0.0078125f, 0.9921875f);
+    float _S17 = uv_1.x;
+    return lerp(preconvolved_0.SampleLevel(preconvolved_sampler_0, float2(_S17, (_S16 + row_1) / 5.0f), 0.0f).xyz, preconvolved_0.SampleLevel(preconvolved_sampler_0, float2(_S17, (_S16 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_1 - _S16));
+}
+
+float3 skin_reflected_radiance(Texture2D<float4 > preconvolved_1, SamplerState preconvolved_sampler_1, float3 direction_1, float gloss_5)
+{
+    float2 uv_2 = skin_equirectangular_uv(direction_1);
+    float power_4 = skin_specular_power(gloss_5);
+    return lerp(skin_preconvolved(preconvolved_1, preconvolved_sampler_1, uv_2, power_4 / 4.0f), skin_preconvolved(preconvolved_1, preconvolved_sampler_1, uv_2, power_4 * power_4 / 4.0f), (float3)0.05000000074505806f);
+}
+
+float3 skin_filmic(float3 light_6)
+{
+    float3 x_1 = max(light_6 - 0.00400000018998981f, (float3)0.0f);
+    float3 _S18 = 6.19999980926513672f * x_1;
+    return x_1 * (_S18 + 0.5f) / (x_1 * (_S18 + 1.70000004768371582f) + 0.05999999865889549f);
+}
+
+float skin_srgb_curve(float x_2)
+{
+    float _S19;
+    if(x_2 <= 0.00313080009073019f)
+    {
+        _S19 = 12.92000007629394531f * x_2;
+    }
+    else
+    {
+        _S19 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S19;
 }
 
 float3 skin_srgb_from_linear(float3 light_7)
 {
-    float3 x_2 = saturate(light_7);
-    return float3(skin_srgb_curve(x_2.x), skin_srgb_curve(x_2.y), skin_srgb_curve(x_2.z));
+    float3 x_3 = saturate(light_7);
+    return float3(skin_srgb_curve(x_3.x), skin_srgb_curve(x_3.y), skin_srgb_curve(x_3.z));
 }
 
-float skin_linear_curve(float x_3)
+float skin_linear_curve(float x_4)
 {
-    float _S14;
-    if(x_3 <= 0.04044999927282333f)
+    float _S20;
+    if(x_4 <= 0.04044999927282333f)
     {
-        _S14 = x_3 / 12.92000007629394531f;
+        _S20 = x_4 / 12.92000007629394531f;
     }
     else
     {
-        _S14 = pow((x_3 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S20 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S14;
+    return _S20;
 }
 
 float3 skin_linear_from_srgb(float3 display_0)
 {
-    float3 x_4 = saturate(display_0);
-    return float3(skin_linear_curve(x_4.x), skin_linear_curve(x_4.y), skin_linear_curve(x_4.z));
+    float3 x_5 = saturate(display_0);
+    return float3(skin_linear_curve(x_5.x), skin_linear_curve(x_5.y), skin_linear_curve(x_5.z));
 }
 
 float skin_classic_blur_level(float radius_mm_1, float uv_scale_mm_1, float map_size_1, float hardware_level_1)

@@ -134,12 +134,19 @@ fn skin_sharpened_shadow( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
     return skin_smoothstep((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
 }
 
+fn skin_variance_shadow( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_0 : f32) -> f32
+{
+    var _S7 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S8 : f32 = max(depth_mm_0 - mean_depth_mm_0, 0.0f);
+    return _S7 / (_S7 + _S8 * _S8);
+}
+
 fn skin_sh_bands( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S7 : f32 = d_0.y;
-    var _S8 : f32 = d_0.z;
-    var _S9 : f32 = d_0.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S7 + sh_0[i32(0)].z * _S8 + sh_0[i32(1)].x * _S9), 1.09254848957061768f * (sh_0[i32(1)].y * _S9 * _S7 + sh_0[i32(1)].z * _S7 * _S8 + sh_0[i32(2)].y * _S9 * _S8) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S8 * _S8 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S9 * _S9 - _S7 * _S7));
+    var _S9 : f32 = d_0.y;
+    var _S10 : f32 = d_0.z;
+    var _S11 : f32 = d_0.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S9 + sh_0[i32(0)].z * _S10 + sh_0[i32(1)].x * _S11), 1.09254848957061768f * (sh_0[i32(1)].y * _S11 * _S9 + sh_0[i32(1)].z * _S9 * _S10 + sh_0[i32(2)].y * _S11 * _S10) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S10 * _S10 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S11 * _S11 - _S9 * _S9));
 }
 
 fn skin_ambient_channel( sh_1 : mat3x3<f32>,  normal_1 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -232,13 +239,13 @@ fn skin_thickness( depth_map_0 : texture_2d<f32>,  depth_map_sampler_0 : sampler
 fn skin_transmittance( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_2 * albedo_2;
-    var _S10 : vec3<f32> = vec3<f32>(1.0f);
-    var _S11 : vec3<f32> = vec3<f32>(2.0f);
-    var _S12 : vec3<f32> = _S11 * albedo_2;
-    var a_0 : vec3<f32> = (_S10 + a2_0) / _S12;
-    var b_0 : vec3<f32> = (_S10 - a2_0) / _S12;
+    var _S12 : vec3<f32> = vec3<f32>(1.0f);
+    var _S13 : vec3<f32> = vec3<f32>(2.0f);
+    var _S14 : vec3<f32> = _S13 * albedo_2;
+    var a_0 : vec3<f32> = (_S12 + a2_0) / _S14;
+    var b_0 : vec3<f32> = (_S12 - a2_0) / _S14;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
-    return _S11 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    return _S13 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
 }
 
 fn skin_classic_transmittance( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
@@ -271,16 +278,16 @@ fn skin_gloss_of_relief( gloss_1 : f32,  normal_length_0 : f32) -> f32
 
 fn skin_gloss_from_roughness( roughness_1 : f32) -> f32
 {
-    var _S13 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S13 * _S13;
+    var _S15 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S15 * _S15;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 fn skin_lobe( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_1 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S14 : f32 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S14 * n_dot_l_2) * (k_0 + _S14 * n_dot_v_1)));
+    var _S16 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S16 * n_dot_l_2) * (k_0 + _S16 * n_dot_v_1)));
 }
 
 fn skin_specular( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
@@ -312,51 +319,89 @@ fn skin_diffuse_share( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) ->
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v_4, gloss_4, reflectance_2);
 }
 
-fn skin_filmic( light_6 : vec3<f32>) -> vec3<f32>
+fn skin_equirectangular_uv( direction_0 : vec3<f32>) -> vec2<f32>
 {
-    var x_1 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S15 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_1;
-    return x_1 * (_S15 + vec3<f32>(0.5f)) / (x_1 * (_S15 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
-}
-
-fn skin_srgb_curve( x_2 : f32) -> f32
-{
-    var _S16 : f32;
-    if(x_2 <= 0.00313080009073019f)
+    var _S17 : f32 = direction_0.x;
+    var _S18 : f32 = direction_0.z;
+    var level_0 : f32 = sqrt(_S17 * _S17 + _S18 * _S18);
+    var x_1 : f32;
+    if(level_0 > 0.0f)
     {
-        _S16 = 12.92000007629394531f * x_2;
+        x_1 = _S17;
     }
     else
     {
-        _S16 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        x_1 = 1.0f;
     }
-    return _S16;
+    return vec2<f32>(0.5f + atan2(_S18, x_1) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+}
+
+fn skin_reflection_level( power_2 : f32) -> f32
+{
+    return clamp(0.5f * log2(max(power_2, 1.0f)), 0.0f, 4.0f);
+}
+
+fn skin_preconvolved( preconvolved_0 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_1 : vec2<f32>,  power_3 : f32) -> vec3<f32>
+{
+    var level_1 : f32 = skin_reflection_level(power_3);
+    var _S19 : f32 = min(floor(level_1), 3.0f);
+    var row_1 : f32 = clamp(uv_1.y, 0.0078125f, 0.9921875f);
+    var _S20 : f32 = uv_1.x;
+    return mix((textureSampleLevel((preconvolved_0), (preconvolved_sampler_0), (vec2<f32>(_S20, (_S19 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_0), (preconvolved_sampler_0), (vec2<f32>(_S20, (_S19 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S19)));
+}
+
+fn skin_reflected_radiance( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_1 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+{
+    var uv_2 : vec2<f32> = skin_equirectangular_uv(direction_1);
+    var power_4 : f32 = skin_specular_power(gloss_5);
+    return mix(skin_preconvolved(preconvolved_1, preconvolved_sampler_1, uv_2, power_4 / 4.0f), skin_preconvolved(preconvolved_1, preconvolved_sampler_1, uv_2, power_4 * power_4 / 4.0f), vec3<f32>(0.05000000074505806f));
+}
+
+fn skin_filmic( light_6 : vec3<f32>) -> vec3<f32>
+{
+    var x_2 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S21 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_2;
+    return x_2 * (_S21 + vec3<f32>(0.5f)) / (x_2 * (_S21 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+}
+
+fn skin_srgb_curve( x_3 : f32) -> f32
+{
+    var _S22 : f32;
+    if(x_3 <= 0.00313080009073019f)
+    {
+        _S22 = 12.92000007629394531f * x_3;
+    }
+    else
+    {
+        _S22 = 1.0549999475479126f * pow(max(x_3, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S22;
 }
 
 fn skin_srgb_from_linear( light_7 : vec3<f32>) -> vec3<f32>
 {
-    var x_3 : vec3<f32> = saturate(light_7);
-    return vec3<f32>(skin_srgb_curve(x_3.x), skin_srgb_curve(x_3.y), skin_srgb_curve(x_3.z));
+    var x_4 : vec3<f32> = saturate(light_7);
+    return vec3<f32>(skin_srgb_curve(x_4.x), skin_srgb_curve(x_4.y), skin_srgb_curve(x_4.z));
 }
 
-fn skin_linear_curve( x_4 : f32) -> f32
+fn skin_linear_curve( x_5 : f32) -> f32
 {
-    var _S17 : f32;
-    if(x_4 <= 0.04044999927282333f)
+    var _S23 : f32;
+    if(x_5 <= 0.04044999927282333f)
     {
-        _S17 = x_4 / 12.92000007629394531f;
+        _S23 = x_5 / 12.92000007629394531f;
     }
     else
     {
-        _S17 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S23 = pow((x_5 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S17;
+    return _S23;
 }
 
 fn skin_linear_from_srgb( display_0 : vec3<f32>) -> vec3<f32>
 {
-    var x_5 : vec3<f32> = saturate(display_0);
-    return vec3<f32>(skin_linear_curve(x_5.x), skin_linear_curve(x_5.y), skin_linear_curve(x_5.z));
+    var x_6 : vec3<f32> = saturate(display_0);
+    return vec3<f32>(skin_linear_curve(x_6.x), skin_linear_curve(x_6.y), skin_linear_curve(x_6.z));
 }
 
 fn skin_classic_blur_level( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size_1 : f32,  hardware_level_1 : f32) -> f32

@@ -1,20 +1,28 @@
-struct Frame_std430_0
+struct FrameBlock_std140_0
 {
+    @align(16) radiance_sh_0 : array<vec4<f32>, i32(9)>,
     @align(16) clip_x_0 : vec4<f32>,
     @align(16) clip_y_0 : vec4<f32>,
     @align(16) clip_z_0 : vec4<f32>,
     @align(16) clip_w_0 : vec4<f32>,
-    @align(16) eye_0 : vec4<f32>,
-    @align(16) radiance_sh_0 : array<vec4<f32>, i32(9)>,
-    @align(16) uv_scale_mm_0 : vec4<f32>,
-    @align(16) tables_0 : vec4<f32>,
+    @align(16) eye_mm_0 : vec4<f32>,
+    @align(16) ray_across_0 : vec4<f32>,
+    @align(16) ray_up_0 : vec4<f32>,
+    @align(16) ray_ahead_0 : vec4<f32>,
+    @align(16) background_0 : vec4<f32>,
+    @align(16) footprint_0 : f32,
+    @align(4) sample_weight_0 : f32,
+    @align(8) uv_scale_mm_0 : f32,
+    @align(4) environment_scale_0 : f32,
+    @align(16) exposure_0 : f32,
 };
 
-@binding(2) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
-
-@binding(14) @group(0) var specular_map_0 : texture_2d<f32>;
+@binding(2) @group(0) var<uniform> frame_block_0 : FrameBlock_std140_0;
+@binding(17) @group(0) var footprint_sampler_0 : sampler;
 
 @binding(16) @group(0) var map_sampler_0 : sampler;
+
+@binding(14) @group(0) var specular_map_0 : texture_2d<f32>;
 
 struct SkinBlock_std140_0
 {
@@ -57,7 +65,7 @@ struct ScatterBlock_std140_0
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
-struct Light_std430_0
+struct LightBlock_std430_0
 {
     @align(16) view_x_0 : vec4<f32>,
     @align(16) view_y_0 : vec4<f32>,
@@ -65,17 +73,23 @@ struct Light_std430_0
     @align(16) clip_x_1 : vec4<f32>,
     @align(16) clip_y_1 : vec4<f32>,
     @align(16) clip_w_1 : vec4<f32>,
-    @align(16) place_0 : vec4<f32>,
-    @align(16) axis_0 : vec4<f32>,
-    @align(16) cone_0 : vec4<f32>,
+    @align(16) direction_0 : vec4<f32>,
+    @align(16) position_mm_0 : vec4<f32>,
     @align(16) irradiance_0 : vec4<f32>,
+    @align(16) cone_cosines_0 : vec2<f32>,
+    @align(8) depth_mm_0 : vec2<f32>,
+    @align(16) near_0 : f32,
+    @align(4) target_distance_mm_0 : f32,
+    @align(8) blur_texels_0 : f32,
 };
 
-@binding(3) @group(0) var<storage, read> lights_0 : array<Light_std430_0>;
+@binding(3) @group(0) var<storage, read> lights_0 : array<LightBlock_std430_0>;
+
+@binding(21) @group(0) var moments_0 : texture_2d_array<f32>;
 
 @binding(4) @group(0) var<storage, read> taps_0 : array<vec2<f32>>;
 
-@binding(19) @group(0) var depths_0 : texture_2d_array<f32>;
+@binding(20) @group(0) var depths_0 : texture_2d_array<f32>;
 
 @binding(9) @group(0) var classic_table_0 : texture_2d<f32>;
 
@@ -91,9 +105,9 @@ struct Light_std430_0
 
 @binding(8) @group(0) var shadow_table_0 : texture_2d<f32>;
 
-@binding(17) @group(0) var preconvolved_0 : texture_2d_array<f32>;
+@binding(18) @group(0) var preconvolved_0 : texture_2d<f32>;
 
-@binding(18) @group(0) var sky_sampler_0 : sampler;
+@binding(19) @group(0) var sky_sampler_0 : sampler;
 
 @id(2) override VIEW_0 : i32 = i32(0);
 
@@ -108,13 +122,19 @@ fn rsqrt_0( x_0 : f32) -> f32
     return 1.0f / sqrt(x_0);
 }
 
+@id(6) override SHADOW_FILTER_0 : i32 = i32(0);
+
 @id(3) override TAPS_0 : i32 = i32(8);
 
 @id(4) override LIGHTS_0 : i32 = i32(1);
 
+@id(7) override FETCHES_0 : i32 = i32(3);
+
+@id(8) override MULTISAMPLED_0 : i32 = i32(0);
+
 struct Fragment_0
 {
-    @builtin(position) clip_0 : vec4<f32>,
+    @invariant @builtin(position) clip_0 : vec4<f32>,
     @location(0) a_0 : vec4<f32>,
     @location(1) b_0 : vec4<f32>,
     @location(2) c_0 : vec4<f32>,
@@ -146,7 +166,7 @@ fn vertex_main( _S1 : vertexInput_0) -> Fragment_0
 {
     var p_0 : vec4<f32> = vec4<f32>(_S1.a_1.xyz, 1.0f);
     var o_0 : Fragment_0;
-    o_0.clip_0 = vec4<f32>(dot(frames_0[i32(0)].clip_x_0, p_0), dot(frames_0[i32(0)].clip_y_0, p_0), dot(frames_0[i32(0)].clip_z_0, p_0), dot(frames_0[i32(0)].clip_w_0, p_0));
+    o_0.clip_0 = vec4<f32>(dot(frame_block_0.clip_x_0, p_0), dot(frame_block_0.clip_y_0, p_0), dot(frame_block_0.clip_z_0, p_0), dot(frame_block_0.clip_w_0, p_0));
     o_0.a_0 = _S1.a_1;
     o_0.b_0 = _S1.b_1;
     o_0.c_0 = _S1.c_1;
@@ -187,6 +207,15 @@ fn map_level_0( size_0 : vec2<f32>,  along_x_0 : vec2<f32>,  along_y_0 : vec2<f3
     return max(0.5f * log2(max(max(min(x_1, y_0), max(x_1, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
 }
 
+fn map_color_0( map_1 : texture_2d<f32>,  uv_0 : vec2<f32>,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32>) -> vec4<f32>
+{
+    if(MULTISAMPLED_0 > i32(0))
+    {
+        return (textureSampleGrad((map_1), (footprint_sampler_0), (uv_0), (along_x_1), (along_y_1)));
+    }
+    return (textureSampleLevel((map_1), (map_sampler_0), (uv_0), (map_level_0(map_size_0(map_1), along_x_1, along_y_1))));
+}
+
 fn skin_blur_level_0( sigma_mm_0 : f32,  uv_scale_mm_1 : f32,  map_size_1 : f32,  hardware_level_0 : f32) -> f32
 {
     return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_1 / uv_scale_mm_1, 1.0f)));
@@ -225,12 +254,12 @@ struct Surface_0
      bounced_0 : vec3<f32>,
 };
 
-fn surface_of_0( o_1 : Fragment_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32>) -> Surface_0
+fn surface_of_0( o_1 : Fragment_0,  along_x_2 : vec2<f32>,  along_y_2 : vec2<f32>) -> Surface_0
 {
     var s_0 : Surface_0;
     var _S4 : vec3<f32> = o_1.a_0.xyz;
     s_0.position_0 = _S4;
-    s_0.view_0 = skin_unit_vectors_0(frames_0[i32(0)].eye_0.xyz - _S4);
+    s_0.view_0 = skin_unit_vectors_0(frame_block_0.eye_mm_0.xyz - _S4);
     var interpolated_0 : vec3<f32> = vec3<f32>(o_1.a_0.w, o_1.b_0.xy);
     var _S5 : f32 = max(skin_safe_length_0(interpolated_0), 0.00100000004749745f);
     var normal_0 : vec3<f32> = skin_unit_vectors_0(interpolated_0);
@@ -242,40 +271,58 @@ fn surface_of_0( o_1 : Fragment_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32
     s_0.visibility_0 = vec3<f32>(o_1.h_0.w, o_1.i_0.xy);
     s_0.through_0 = vec3<f32>(o_1.i_0.zw, o_1.j_0.x);
     s_0.bounced_0 = o_1.j_0.yzw;
-    var uv_0 : vec2<f32> = o_1.c_0.zw;
-    var coat_0 : vec4<f32> = (textureSampleLevel((specular_map_0), (map_sampler_0), (uv_0), (map_level_0(map_size_0(specular_map_0), along_x_1, along_y_1))));
+    var uv_1 : vec2<f32> = o_1.c_0.zw;
+    var coat_0 : vec4<f32> = map_color_0(specular_map_0, uv_1, along_x_2, along_y_2);
     s_0.reflectance_1 = skin_block_0.reflectance_0 * coat_0.x;
     s_0.gloss_3 = coat_0.y;
-    s_0.albedo_1 = (textureSampleLevel((albedo_map_0), (map_sampler_0), (uv_0), (map_level_0(map_size_0(albedo_map_0), along_x_1, along_y_1)))).xyz;
-    s_0.tint_0 = (textureSampleLevel((tint_map_0), (map_sampler_0), (uv_0), (map_level_0(map_size_0(tint_map_0), along_x_1, along_y_1)))).xyz;
+    s_0.albedo_1 = map_color_0(albedo_map_0, uv_1, along_x_2, along_y_2).xyz;
+    s_0.tint_0 = map_color_0(tint_map_0, uv_1, along_x_2, along_y_2).xyz;
     s_0.fetched_0 = mat3x3<f32>(normal_0, normal_0, normal_0);
-    if((frames_0[i32(0)].tables_0.x) > 0.5f)
+    if(FETCHES_0 > i32(1))
     {
         var tangent_0 : vec3<f32> = vec3<f32>(o_1.b_0.zw, o_1.c_0.x);
         var tangent_1 : vec3<f32> = skin_unit_vectors_0(tangent_0 - normal_0 * vec3<f32>(dot(tangent_0, normal_0)));
-        var _S6 : vec3<f32> = cross(normal_0, tangent_1) * vec3<f32>(f32((i32(sign((o_1.c_0.y))))));
+        var bitangent_0 : vec3<f32> = cross(normal_0, tangent_1) * vec3<f32>(f32((i32(sign((o_1.c_0.y))))));
         var size_1 : vec2<f32> = map_size_0(normal_map_0);
-        var level_0 : f32 = map_level_0(size_1, along_x_1, along_y_1);
-        var _S7 : f32 = max(size_1.x, size_1.y);
-        var scale_0 : f32 = frames_0[i32(0)].uv_scale_mm_0.x;
-        var _S8 : vec3<f32> = vec3<f32>(level_0, skin_blur_level_0(scatter_block_0.normal_sigmas_mm_0.x, scale_0, _S7, level_0), skin_blur_level_0(scatter_block_0.normal_sigmas_mm_0.y, scale_0, _S7, level_0));
-        var fetch_0 : i32 = i32(0);
+        var _S6 : f32 = max(size_1.x, size_1.y);
+        var _S7 : f32 = map_level_0(size_1, along_x_2, along_y_2);
+        var sharp_1 : vec3<f32> = map_color_0(normal_map_0, uv_1, along_x_2, along_y_2).xyz;
+        s_0.fetched_0[i32(0)] = tangent_1 * vec3<f32>(sharp_1.x) + bitangent_0 * vec3<f32>(sharp_1.y) + normal_0 * vec3<f32>(sharp_1.z);
+        var fetch_0 : i32 = i32(1);
         for(;;)
         {
-            if(fetch_0 < i32(3))
+            if(fetch_0 < FETCHES_0)
             {
             }
             else
             {
                 break;
             }
-            var t_0 : vec3<f32> = (textureSampleLevel((normal_map_0), (map_sampler_0), (uv_0), (_S8[fetch_0]))).xyz;
-            s_0.fetched_0[fetch_0] = tangent_1 * vec3<f32>(t_0.x) + _S6 * vec3<f32>(t_0.y) + normal_0 * vec3<f32>(t_0.z);
+            var sigma_mm_1 : f32;
+            if(fetch_0 == i32(1))
+            {
+                sigma_mm_1 = scatter_block_0.normal_sigmas_mm_0.x;
+            }
+            else
+            {
+                sigma_mm_1 = scatter_block_0.normal_sigmas_mm_0.y;
+            }
+            var t_0 : vec3<f32> = (textureSampleLevel((normal_map_0), (map_sampler_0), (uv_1), (skin_blur_level_0(sigma_mm_1, frame_block_0.uv_scale_mm_0, _S6, _S7)))).xyz;
+            s_0.fetched_0[fetch_0] = tangent_1 * vec3<f32>(t_0.x) + bitangent_0 * vec3<f32>(t_0.y) + normal_0 * vec3<f32>(t_0.z);
             fetch_0 = fetch_0 + i32(1);
         }
     }
     s_0.sharp_0 = skin_unit_vectors_0(s_0.fetched_0[i32(0)]);
-    s_0.blurred_0 = skin_unit_vectors_0(s_0.fetched_0[i32(2)]);
+    var _S8 : vec3<f32>;
+    if(FETCHES_0 == i32(2))
+    {
+        _S8 = s_0.fetched_0[i32(1)];
+    }
+    else
+    {
+        _S8 = s_0.fetched_0[i32(2)];
+    }
+    s_0.blurred_0 = skin_unit_vectors_0(_S8);
     s_0.gloss_3 = skin_gloss_of_relief_0(s_0.gloss_3, skin_safe_length_0(s_0.fetched_0[i32(0)]));
     return s_0;
 }
@@ -316,9 +363,9 @@ fn curvature_colour_0( curvature_per_mm_1 : f32) -> vec3<f32>
     return skin_linear_from_srgb_0(_S10 + (end_0 - _S10) * vec3<f32>(sqrt(abs(share_0))));
 }
 
-fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) -> mat3x3<f32>
+fn skin_classic_ambient_normals_0( sharp_2 : vec3<f32>,  blurred_1 : vec3<f32>) -> mat3x3<f32>
 {
-    return mat3x3<f32>(blurred_1, skin_unit_vectors_0(mix(sharp_1, blurred_1, vec3<f32>(0.30000001192092896f))), sharp_1);
+    return mat3x3<f32>(blurred_1, skin_unit_vectors_0(mix(sharp_2, blurred_1, vec3<f32>(0.30000001192092896f))), sharp_2);
 }
 
 fn blend_weights_0() -> mat3x3<f32>
@@ -345,38 +392,59 @@ fn skin_energy_gain_0( albedo_2 : vec3<f32>,  rms_radius_mm_1 : vec3<f32>,  curv
     return _S11 + u_0 / sqrt(_S11 + bound_0 * bound_0);
 }
 
-fn depth_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> f32
+fn moments_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
+{
+    var place_0 : vec2<f32> = clamp(at_0 - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>(1023.0f));
+    var corner_0 : vec2<f32> = min(floor(place_0), vec2<f32>(1022.0f));
+    var f_2 : vec2<f32> = place_0 - corner_0;
+    var _S12 : vec2<i32> = vec2<i32>(corner_0);
+    var _S13 : vec4<i32> = vec4<i32>(_S12, layer_0, i32(0));
+    var _S14 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(0)), layer_0, i32(0));
+    var _S15 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(0), i32(1)), layer_0, i32(0));
+    var _S16 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(1)), layer_0, i32(0));
+    var _S17 : vec2<f32> = vec2<f32>(f_2.x);
+    return mix(mix((textureLoad((moments_0), ((_S13)).xy, i32(((_S13)).z), ((_S13)).w).xy).xy, (textureLoad((moments_0), ((_S14)).xy, i32(((_S14)).z), ((_S14)).w).xy).xy, _S17), mix((textureLoad((moments_0), ((_S15)).xy, i32(((_S15)).z), ((_S15)).w).xy).xy, (textureLoad((moments_0), ((_S16)).xy, i32(((_S16)).z), ((_S16)).w).xy).xy, _S17), vec2<f32>(f_2.y));
+}
+
+fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_1 : f32) -> f32
+{
+    var _S18 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S19 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
+    return _S18 / (_S18 + _S19 * _S19);
+}
+
+fn depth_at_0( at_1 : vec2<f32>,  layer_1 : i32) -> f32
 {
     var inside_0 : bool;
-    if((all((at_0 >= vec2<f32>(0.0f)))))
+    if((all((at_1 >= vec2<f32>(0.0f)))))
     {
-        inside_0 = (all((at_0 <= vec2<f32>(1023.0f))));
+        inside_0 = (all((at_1 <= vec2<f32>(1023.0f))));
     }
     else
     {
         inside_0 = false;
     }
-    var _S12 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_0, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_0, i32(0));
-    var found_0 : f32 = (textureLoad((depths_0), ((_S12)).xy, i32(((_S12)).z), ((_S12)).w).x);
-    var _S13 : f32;
+    var _S20 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_1, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_1, i32(0));
+    var found_0 : f32 = (textureLoad((depths_0), ((_S20)).xy, i32(((_S20)).z), ((_S20)).w).x);
+    var _S21 : f32;
     if(inside_0)
     {
-        _S13 = found_0;
+        _S21 = found_0;
     }
     else
     {
-        _S13 = 1.00000001504746622e+30f;
+        _S21 = 1.00000001504746622e+30f;
     }
-    return _S13;
+    return _S21;
 }
 
-fn compared_0( at_1 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
+fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_2 : i32) -> f32
 {
-    var _S14 : vec2<f32> = at_1 - vec2<f32>(0.5f);
-    var corner_0 : vec2<f32> = floor(_S14);
-    var f_2 : vec2<f32> = _S14 - corner_0;
+    var _S22 : vec2<f32> = at_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S22);
+    var f_3 : vec2<f32> = _S22 - corner_1;
     var a_2 : f32;
-    if((depth_at_0(corner_0, layer_1)) >= depth_0)
+    if((depth_at_0(corner_1, layer_2)) >= depth_0)
     {
         a_2 = 1.0f;
     }
@@ -385,7 +453,7 @@ fn compared_0( at_1 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
         a_2 = 0.0f;
     }
     var b_2 : f32;
-    if((depth_at_0(corner_0 + vec2<f32>(1.0f, 0.0f), layer_1)) >= depth_0)
+    if((depth_at_0(corner_1 + vec2<f32>(1.0f, 0.0f), layer_2)) >= depth_0)
     {
         b_2 = 1.0f;
     }
@@ -394,7 +462,7 @@ fn compared_0( at_1 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
         b_2 = 0.0f;
     }
     var c_2 : f32;
-    if((depth_at_0(corner_0 + vec2<f32>(0.0f, 1.0f), layer_1)) >= depth_0)
+    if((depth_at_0(corner_1 + vec2<f32>(0.0f, 1.0f), layer_2)) >= depth_0)
     {
         c_2 = 1.0f;
     }
@@ -403,7 +471,7 @@ fn compared_0( at_1 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
         c_2 = 0.0f;
     }
     var d_2 : f32;
-    if((depth_at_0(corner_0 + vec2<f32>(1.0f, 1.0f), layer_1)) >= depth_0)
+    if((depth_at_0(corner_1 + vec2<f32>(1.0f, 1.0f), layer_2)) >= depth_0)
     {
         d_2 = 1.0f;
     }
@@ -411,13 +479,13 @@ fn compared_0( at_1 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
     {
         d_2 = 0.0f;
     }
-    var _S15 : f32 = f_2.x;
-    return mix(mix(a_2, b_2, _S15), mix(c_2, d_2, _S15), f_2.y);
+    var _S23 : f32 = f_3.x;
+    return mix(mix(a_2, b_2, _S23), mix(c_2, d_2, _S23), f_3.y);
 }
 
-fn skin_inward_offset_0( position_mm_0 : vec3<f32>,  normal_1 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+fn skin_inward_offset_0( position_mm_1 : vec3<f32>,  normal_1 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
 {
-    return position_mm_0 - normal_1 * vec3<f32>(offset_mm_0);
+    return position_mm_1 - normal_1 * vec3<f32>(offset_mm_0);
 }
 
 struct Incident_0
@@ -428,12 +496,12 @@ struct Incident_0
      thickness_mm_0 : f32,
 };
 
-fn place_in_map_0( _S16 : i32,  _S17 : vec3<f32>) -> vec4<f32>
+fn place_in_map_0( _S24 : i32,  _S25 : vec3<f32>) -> vec4<f32>
 {
-    var p_1 : vec4<f32> = vec4<f32>(_S17, 1.0f);
-    var _S18 : f32 = dot(lights_0[_S16].view_z_0, p_1);
-    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S16].view_x_0, p_1), dot(lights_0[_S16].view_y_0, p_1), _S18, 1.0f);
-    var w_0 : f32 = dot(lights_0[_S16].clip_w_1, seen_0);
+    var p_1 : vec4<f32> = vec4<f32>(_S25, 1.0f);
+    var _S26 : f32 = dot(lights_0[_S24].view_z_0, p_1);
+    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S24].view_x_0, p_1), dot(lights_0[_S24].view_y_0, p_1), _S26, 1.0f);
+    var w_0 : f32 = dot(lights_0[_S24].clip_w_1, seen_0);
     var w_1 : f32;
     if((abs(w_0)) < 9.99999971718068537e-10f)
     {
@@ -443,20 +511,25 @@ fn place_in_map_0( _S16 : i32,  _S17 : vec3<f32>) -> vec4<f32>
     {
         w_1 = w_0;
     }
-    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S16].clip_x_1, seen_0), dot(lights_0[_S16].clip_y_1, seen_0)) / vec2<f32>(w_1);
-    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S18, abs(w_1) * 2.0f / (lights_0[_S16].clip_x_1.x * 1024.0f));
+    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S24].clip_x_1, seen_0), dot(lights_0[_S24].clip_y_1, seen_0)) / vec2<f32>(w_1);
+    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S26, abs(w_1) * 2.0f / (lights_0[_S24].clip_x_1.x * 1024.0f));
 }
 
-fn wide_filter_0( _S19 : i32,  _S20 : i32,  _S21 : Surface_0,  _S22 : vec3<f32>) -> f32
+fn wide_filter_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0,  _S30 : vec3<f32>) -> f32
 {
-    var cosine_0 : f32 = dot(_S21.mesh_normal_0, _S22);
-    var _S23 : f32 = max(- cosine_0, 0.0f);
-    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S21.mesh_normal_0 + _S22 * vec3<f32>(_S23));
-    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S19].view_x_0.xyz, upright_0), - dot(lights_0[_S19].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S19].view_z_0.xyz, upright_0), 0.00100000004749745f));
-    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S21.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
-    var _S24 : vec4<f32> = place_in_map_0(_S19, _S21.position_0 + skin_unit_vectors_0(_S22 - _S21.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S23 / max(_S21.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
-    var _S25 : f32 = _S24.w;
-    var _S26 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S25, 1024.0f);
+    var cosine_0 : f32 = dot(_S29.mesh_normal_0, _S30);
+    var _S31 : f32 = max(- cosine_0, 0.0f);
+    var _S32 : vec4<f32> = place_in_map_0(_S27, _S29.position_0 + skin_unit_vectors_0(_S30 - _S29.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S31 / max(_S29.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
+    if(SHADOW_FILTER_0 == i32(1))
+    {
+        var mean_0 : vec2<f32> = moments_at_0(_S32.xy, _S28 / i32(2));
+        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S32.z - 0.40000000596046448f - lights_0[_S27].depth_mm_0.x);
+    }
+    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S29.mesh_normal_0 + _S30 * vec3<f32>(_S31));
+    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S27].view_x_0.xyz, upright_0), - dot(lights_0[_S27].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S27].view_z_0.xyz, upright_0), 0.00100000004749745f));
+    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S29.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
+    var _S33 : f32 = _S32.w;
+    var _S34 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S33, 1024.0f);
     var tap_0 : i32 = i32(0);
     var total_0 : f32 = 0.0f;
     for(;;)
@@ -468,18 +541,18 @@ fn wide_filter_0( _S19 : i32,  _S20 : i32,  _S21 : Surface_0,  _S22 : vec3<f32>)
         {
             break;
         }
-        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S26);
-        var total_1 : f32 = total_0 + compared_0(_S24.xy + across_0, _S24.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S25), across_0), _S20);
+        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S34);
+        var total_1 : f32 = total_0 + compared_0(_S32.xy + across_0, _S32.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S33), across_0), _S28);
         tap_0 = tap_0 + i32(1);
         total_0 = total_1;
     }
     return total_0 / 48.0f;
 }
 
-fn thickness_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0) -> f32
+fn thickness_0( _S35 : i32,  _S36 : i32,  _S37 : Surface_0) -> f32
 {
-    var _S30 : vec4<f32> = place_in_map_0(_S27, skin_inward_offset_0(_S29.position_0, _S29.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
-    var _S31 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S30.w;
+    var _S38 : vec4<f32> = place_in_map_0(_S35, skin_inward_offset_0(_S37.position_0, _S37.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
+    var _S39 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S38.w;
     var tap_1 : i32 = i32(0);
     var total_2 : f32 = 0.0f;
     for(;;)
@@ -491,17 +564,17 @@ fn thickness_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0) -> f32
         {
             break;
         }
-        var found_1 : f32 = depth_at_0(floor(_S30.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S31)), _S28);
-        var _S32 : f32;
+        var found_1 : f32 = depth_at_0(floor(_S38.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S39)), _S36);
+        var _S40 : f32;
         if(found_1 < 1.00000001504746622e+30f)
         {
-            _S32 = max(_S30.z - found_1, 0.0f);
+            _S40 = max(_S38.z - found_1, 0.0f);
         }
         else
         {
-            _S32 = 0.0f;
+            _S40 = 0.0f;
         }
-        var total_3 : f32 = total_2 + _S32;
+        var total_3 : f32 = total_2 + _S40;
         tap_1 = tap_1 + i32(1);
         total_2 = total_3;
     }
@@ -512,17 +585,17 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
 {
     var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
     var found_2 : Incident_0;
-    var _S33 : vec3<f32> = lights_0[index_0].place_0.xyz;
-    found_2.to_light_0 = _S33;
+    var _S41 : vec3<f32> = lights_0[index_0].direction_0.xyz;
+    found_2.to_light_0 = _S41;
     var irradiance_2 : vec3<f32>;
-    if((lights_0[index_0].place_0.w) > 0.5f)
+    if((lights_0[index_0].near_0) > 0.5f)
     {
-        var away_0 : vec3<f32> = _S33 - s_1.position_0;
-        var _S34 : vec3<f32> = skin_unit_vectors_0(away_0);
-        found_2.to_light_0 = _S34;
-        var _S35 : f32 = lights_0[index_0].cone_0.x;
-        var t_1 : f32 = saturate((dot(_S34, lights_0[index_0].axis_0.xyz) - _S35) / (lights_0[index_0].cone_0.y - _S35));
-        irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].axis_0.w / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
+        var away_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_1.position_0;
+        var _S42 : vec3<f32> = skin_unit_vectors_0(away_0);
+        found_2.to_light_0 = _S42;
+        var outer_0 : f32 = lights_0[index_0].cone_cosines_0.x;
+        var t_1 : f32 = saturate((dot(_S42, _S41) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
+        irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].target_distance_mm_0 * lights_0[index_0].target_distance_mm_0 / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
     }
     else
     {
@@ -536,16 +609,16 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
         found_2.shadow_filter_0 = wide_filter_0(index_0, i32(2) * index_0, s_1, found_2.to_light_0);
     }
     found_2.thickness_mm_0 = 1000.0f;
-    var _S36 : bool;
+    var _S43 : bool;
     if(TAPS_0 > i32(0))
     {
-        _S36 = cosine_1 < 0.5f;
+        _S43 = cosine_1 < 0.5f;
     }
     else
     {
-        _S36 = false;
+        _S43 = false;
     }
-    if(_S36)
+    if(_S43)
     {
         found_2.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_1);
     }
@@ -555,8 +628,8 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_0 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S37 : f32 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S37 * n_dot_l_0) * (k_0 + _S37 * n_dot_v_0)));
+    var _S44 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S44 * n_dot_l_0) * (k_0 + _S44 * n_dot_v_0)));
 }
 
 fn skin_specular_0( normal_2 : vec3<f32>,  view_1 : vec3<f32>,  light_0 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
@@ -582,12 +655,12 @@ fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
     return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
 }
 
-fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_0 : sampler,  lut_axes_0 : vec4<f32>,  sharp_2 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_0 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
 {
     var blurred_cosine_0 : f32 = dot(blurred_2, light_1);
     var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
     var k_2 : f32 = k_1 * k_1;
-    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_2, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_1), dot(skin_unit_vectors_0(mix(sharp_2, blurred_2, vec3<f32>(k_2))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_0), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_1), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_2))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_0), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
 }
 
 fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_2 : f32,  n_dot_l_2 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
@@ -624,23 +697,23 @@ fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : v
 fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
 {
     var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
-    var _S38 : vec2<f32> = lut_axes_2.xz;
-    var _S39 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S38) * _S39)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S38) * _S39)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S38) * _S39)), (0.0f))).xyz.z);
+    var _S45 : vec2<f32> = lut_axes_2.xz;
+    var _S46 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S45) * _S46)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S45) * _S46)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S45) * _S46)), (0.0f))).xyz.z);
 }
 
 fn skin_relief_bump_0( m_0 : f32,  s_2 : f32) -> f32
 {
-    var _S40 : f32 = max(s_2, 9.99999971718068537e-10f);
-    var _S41 : f32 = min(abs(m_0) / _S40, 8.0f);
-    return _S40 * (0.39894229173660278f * exp(-0.5f * _S41 * _S41)) / (1.0f + _S41 * (1.25119507312774658f + _S41 * (0.58454132080078125f + _S41 * 0.06752368807792664f)));
+    var _S47 : f32 = max(s_2, 9.99999971718068537e-10f);
+    var _S48 : f32 = min(abs(m_0) / _S47, 8.0f);
+    return _S47 * (0.39894229173660278f * exp(-0.5f * _S48 * _S48)) / (1.0f + _S48 * (1.25119507312774658f + _S48 * (0.58454132080078125f + _S48 * 0.06752368807792664f)));
 }
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S42 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S42));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S42));
+    var _S49 : vec3<f32> = vec3<f32>(0.0f);
+    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S49));
+    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S49));
     return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z * sine_0.z));
 }
 
@@ -710,13 +783,13 @@ fn diffused_light_0( s_3 : Surface_0,  seen_1 : mat3x3<f32>,  to_light_1 : vec3<
 fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_3 * albedo_3;
-    var _S43 : vec3<f32> = vec3<f32>(1.0f);
-    var _S44 : vec3<f32> = vec3<f32>(2.0f);
-    var _S45 : vec3<f32> = _S44 * albedo_3;
-    var a_3 : vec3<f32> = (_S43 + a2_0) / _S45;
-    var b_3 : vec3<f32> = (_S43 - a2_0) / _S45;
+    var _S50 : vec3<f32> = vec3<f32>(1.0f);
+    var _S51 : vec3<f32> = vec3<f32>(2.0f);
+    var _S52 : vec3<f32> = _S51 * albedo_3;
+    var a_3 : vec3<f32> = (_S50 + a2_0) / _S52;
+    var b_3 : vec3<f32> = (_S50 - a2_0) / _S52;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    return _S44 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+    return _S51 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
 }
 
 fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_4 : f32,  strength_1 : f32) -> vec3<f32>
@@ -726,10 +799,10 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_4 : f32,  str
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_3 : vec3<f32>) -> vec3<f32>
 {
-    var _S46 : f32 = d_3.y;
-    var _S47 : f32 = d_3.z;
-    var _S48 : f32 = d_3.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S46 + sh_0[i32(0)].z * _S47 + sh_0[i32(1)].x * _S48), 1.09254848957061768f * (sh_0[i32(1)].y * _S48 * _S46 + sh_0[i32(1)].z * _S46 * _S47 + sh_0[i32(2)].y * _S48 * _S47) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S47 * _S47 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S48 * _S48 - _S46 * _S46));
+    var _S53 : f32 = d_3.y;
+    var _S54 : f32 = d_3.z;
+    var _S55 : f32 = d_3.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S53 + sh_0[i32(0)].z * _S54 + sh_0[i32(1)].x * _S55), 1.09254848957061768f * (sh_0[i32(1)].y * _S55 * _S53 + sh_0[i32(1)].z * _S53 * _S54 + sh_0[i32(2)].y * _S55 * _S54) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S54 * _S54 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S55 * _S55 - _S53 * _S53));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -746,8 +819,8 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 fn ambient_light_0( s_4 : Surface_0,  seen_2 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S49 : vec3<f32> = vec3<f32>(1.0f);
-    var _S50 : mat3x3<f32> = mat3x3<f32>(_S49, _S49, _S49);
+    var _S56 : vec3<f32> = vec3<f32>(1.0f);
+    var _S57 : mat3x3<f32> = mat3x3<f32>(_S56, _S56, _S56);
     var bands_0 : mat3x3<f32>;
     if(SHADING_0 == i32(2))
     {
@@ -756,9 +829,9 @@ fn ambient_light_0( s_4 : Surface_0,  seen_2 : mat3x3<f32>,  gain_4 : vec3<f32>)
     }
     else
     {
-        bands_0 = _S50;
+        bands_0 = _S57;
     }
-    return skin_ambient_irradiance_0(mat3x3<f32>(frames_0[i32(0)].radiance_sh_0[i32(0)].x, frames_0[i32(0)].radiance_sh_0[i32(1)].x, frames_0[i32(0)].radiance_sh_0[i32(2)].x, frames_0[i32(0)].radiance_sh_0[i32(3)].x, frames_0[i32(0)].radiance_sh_0[i32(4)].x, frames_0[i32(0)].radiance_sh_0[i32(5)].x, frames_0[i32(0)].radiance_sh_0[i32(6)].x, frames_0[i32(0)].radiance_sh_0[i32(7)].x, frames_0[i32(0)].radiance_sh_0[i32(8)].x), mat3x3<f32>(frames_0[i32(0)].radiance_sh_0[i32(0)].y, frames_0[i32(0)].radiance_sh_0[i32(1)].y, frames_0[i32(0)].radiance_sh_0[i32(2)].y, frames_0[i32(0)].radiance_sh_0[i32(3)].y, frames_0[i32(0)].radiance_sh_0[i32(4)].y, frames_0[i32(0)].radiance_sh_0[i32(5)].y, frames_0[i32(0)].radiance_sh_0[i32(6)].y, frames_0[i32(0)].radiance_sh_0[i32(7)].y, frames_0[i32(0)].radiance_sh_0[i32(8)].y), mat3x3<f32>(frames_0[i32(0)].radiance_sh_0[i32(0)].z, frames_0[i32(0)].radiance_sh_0[i32(1)].z, frames_0[i32(0)].radiance_sh_0[i32(2)].z, frames_0[i32(0)].radiance_sh_0[i32(3)].z, frames_0[i32(0)].radiance_sh_0[i32(4)].z, frames_0[i32(0)].radiance_sh_0[i32(5)].z, frames_0[i32(0)].radiance_sh_0[i32(6)].z, frames_0[i32(0)].radiance_sh_0[i32(7)].z, frames_0[i32(0)].radiance_sh_0[i32(8)].z), seen_2, bands_0);
+    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), seen_2, bands_0);
 }
 
 fn skin_specular_visibility_0( n_dot_v_2 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
@@ -782,26 +855,54 @@ fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
     return vec3<f32>((2.0f * dot(normal_5, view_2))) * normal_5 - view_2;
 }
 
-fn reflected_radiance_0( direction_0 : vec3<f32>,  power_2 : f32) -> vec3<f32>
+fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var level_1 : f32 = clamp(log2(max(power_2, 1.0f)) / 2.0f, 0.0f, 4.0f);
-    var _S51 : f32 = min(floor(level_1), 3.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(0.5f + atan2(direction_0.z, direction_0.x) / 6.28318548202514648f, acos(clamp(direction_0.y, -1.0f, 1.0f)) / 3.14159274101257324f);
-    var _S52 : vec3<f32> = vec3<f32>(uv_1, _S51);
-    var _S53 : vec3<f32> = vec3<f32>(uv_1, _S51 + 1.0f);
-    return mix((textureSampleLevel((preconvolved_0), (sky_sampler_0), ((_S52)).xy, i32(((_S52)).z), (0.0f))).xyz, (textureSampleLevel((preconvolved_0), (sky_sampler_0), ((_S53)).xy, i32(((_S53)).z), (0.0f))).xyz, vec3<f32>((level_1 - _S51)));
+    var _S58 : f32 = direction_1.x;
+    var _S59 : f32 = direction_1.z;
+    var level_0 : f32 = sqrt(_S58 * _S58 + _S59 * _S59);
+    var x_4 : f32;
+    if(level_0 > 0.0f)
+    {
+        x_4 = _S58;
+    }
+    else
+    {
+        x_4 = 1.0f;
+    }
+    return vec2<f32>(0.5f + atan2(_S59, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
 }
 
-fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_5 : f32,  reflectance_3 : f32) -> f32
+fn skin_reflection_level_0( power_2 : f32) -> f32
+{
+    return clamp(0.5f * log2(max(power_2, 1.0f)), 0.0f, 4.0f);
+}
+
+fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_2 : vec2<f32>,  power_3 : f32) -> vec3<f32>
+{
+    var level_1 : f32 = skin_reflection_level_0(power_3);
+    var _S60 : f32 = min(floor(level_1), 3.0f);
+    var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
+    var _S61 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S60)));
+}
+
+fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+{
+    var uv_3 : vec2<f32> = skin_equirectangular_uv_0(direction_2);
+    var power_4 : f32 = skin_specular_power_0(gloss_5);
+    return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_3, power_4 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_3, power_4 * power_4 / 4.0f), vec3<f32>(0.05000000074505806f));
+}
+
+fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_6 : f32,  reflectance_3 : f32) -> f32
 {
     var away_2 : f32 = 1.0f - saturate(n_dot_v_3);
     var away2_1 : f32 = away_2 * away_2;
-    return reflectance_3 + (1.0f - reflectance_3) * away2_1 * away2_1 * away_2 / (4.0f - 3.0f * gloss_5);
+    return reflectance_3 + (1.0f - reflectance_3) * away2_1 * away2_1 * away_2 / (4.0f - 3.0f * gloss_6);
 }
 
-fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_6 : f32,  reflectance_4 : f32) -> f32
+fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_7 : f32,  reflectance_4 : f32) -> f32
 {
-    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_6, reflectance_4);
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_7, reflectance_4);
 }
 
 struct pixelOutput_0
@@ -816,7 +917,7 @@ struct pixelInput_0
     @location(2) c_3 : vec4<f32>,
     @location(3) d_4 : vec4<f32>,
     @location(4) e_2 : vec4<f32>,
-    @location(5) f_3 : vec4<f32>,
+    @location(5) f_4 : vec4<f32>,
     @location(6) g_2 : vec4<f32>,
     @location(7) h_2 : vec4<f32>,
     @location(8) i_2 : vec4<f32>,
@@ -824,42 +925,42 @@ struct pixelInput_0
 };
 
 @fragment
-fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var specular_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var specular_1 : vec3<f32>;
     var deep_0 : vec3<f32>;
-    var _S55 : Fragment_0 = Fragment_0( clip_1, _S54.a_4, _S54.b_4, _S54.c_3, _S54.d_4, _S54.e_2, _S54.f_3, _S54.g_2, _S54.h_2, _S54.i_2, _S54.j_2 );
-    var _S56 : vec2<f32> = _S54.c_3.zw;
-    var _S57 : vec2<f32> = vec2<f32>(frames_0[i32(0)].eye_0.w);
-    var s_5 : Surface_0 = surface_of_0(_S55, dpdx(_S56) * _S57, dpdy(_S56) * _S57);
+    var _S63 : Fragment_0 = Fragment_0( clip_1, _S62.a_4, _S62.b_4, _S62.c_3, _S62.d_4, _S62.e_2, _S62.f_4, _S62.g_2, _S62.h_2, _S62.i_2, _S62.j_2 );
+    var _S64 : vec2<f32> = _S62.c_3.zw;
+    var _S65 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_5 : Surface_0 = surface_of_0(_S63, dpdx(_S64) * _S65, dpdy(_S64) * _S65);
     if(VIEW_0 == i32(1))
     {
-        var _S58 : vec3<f32> = vec3<f32>(0.5f);
-        var _S59 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S58 + _S58 * s_5.sharp_0), 1.0f) );
-        return _S59;
+        var _S66 : vec3<f32> = vec3<f32>(0.5f);
+        var _S67 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S66 + _S66 * s_5.sharp_0), 1.0f) );
+        return _S67;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S60 : vec3<f32> = vec3<f32>(0.5f);
-        var _S61 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S60 + _S60 * s_5.blurred_0), 1.0f) );
-        return _S61;
+        var _S68 : vec3<f32> = vec3<f32>(0.5f);
+        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_5.blurred_0), 1.0f) );
+        return _S69;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S62 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_5.curvature_per_mm_0), 1.0f) );
-        return _S62;
+        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_5.curvature_per_mm_0), 1.0f) );
+        return _S70;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S63 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_5.albedo_1, 1.0f) );
-        return _S63;
+        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_5.albedo_1, 1.0f) );
+        return _S71;
     }
-    var _S64 : vec3<f32> = s_5.sharp_0;
-    var _S65 : mat3x3<f32> = mat3x3<f32>(_S64, _S64, _S64);
-    var _S66 : vec3<f32> = vec3<f32>(1.0f);
+    var _S72 : vec3<f32> = s_5.sharp_0;
+    var _S73 : mat3x3<f32> = mat3x3<f32>(_S72, _S72, _S72);
+    var _S74 : vec3<f32> = vec3<f32>(1.0f);
     var seen_3 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
@@ -867,21 +968,21 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
     }
     else
     {
-        seen_3 = _S65;
+        seen_3 = _S73;
     }
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
-        var _S67 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_5.diffused_curvature_per_mm_0);
+        var _S75 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_5.diffused_curvature_per_mm_0);
         seen_3 = skin_blend_normals_0(s_5.fetched_0, blend_weights_0());
-        gain_5 = _S67;
+        gain_5 = _S75;
     }
     else
     {
-        gain_5 = _S66;
+        gain_5 = _S74;
     }
     var tint_1 : vec3<f32> = s_5.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S68 : vec3<f32> = vec3<f32>(0.0f);
+    var _S76 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -891,17 +992,17 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
     {
         lit_most_0 = 1.0f;
     }
-    var _S69 : bool;
+    var _S77 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S69 = TAPS_0 > i32(0);
+        _S77 = TAPS_0 > i32(0);
     }
     else
     {
-        _S69 = false;
+        _S77 = false;
     }
     var thinnest_0 : f32;
-    if(_S69)
+    if(_S77)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -910,9 +1011,9 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var direct_2 : vec3<f32> = _S68;
-    var specular_2 : vec3<f32> = _S68;
-    var deep_1 : vec3<f32> = _S68;
+    var direct_2 : vec3<f32> = _S76;
+    var specular_2 : vec3<f32> = _S76;
+    var deep_1 : vec3<f32> = _S76;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -923,7 +1024,7 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
             break;
         }
         var light_7 : Incident_0 = incident_0(index_1, s_5);
-        var _S70 : f32 = max(lit_most_0, light_7.shadow_filter_0);
+        var _S78 : f32 = max(lit_most_0, light_7.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_7.thickness_mm_0);
@@ -933,9 +1034,9 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
         var highlight_0 : f32 = skin_specular_0(s_5.sharp_0, s_5.view_0, light_7.to_light_0, s_5.gloss_3, s_5.reflectance_1);
         if(SHADING_0 == i32(0))
         {
-            var _S71 : vec3<f32> = vec3<f32>(skin_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
-            var specular_3 : vec3<f32> = specular_2 + light_7.radiance_0 * vec3<f32>(highlight_0) * _S71;
-            direct_0 = direct_2 + light_7.radiance_0 * vec3<f32>(max(dot(s_5.sharp_0, light_7.to_light_0), 0.0f)) * _S71;
+            var _S79 : vec3<f32> = vec3<f32>(skin_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
+            var specular_3 : vec3<f32> = specular_2 + light_7.radiance_0 * vec3<f32>(highlight_0) * _S79;
+            direct_0 = direct_2 + light_7.radiance_0 * vec3<f32>(max(dot(s_5.sharp_0, light_7.to_light_0), 0.0f)) * _S79;
             specular_0 = specular_3;
         }
         else
@@ -955,10 +1056,10 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
             {
                 direct_1 = deep_1;
             }
-            var _S72 : vec3<f32> = direct_1;
+            var _S80 : vec3<f32> = direct_1;
             direct_1 = direct_3;
             specular_1 = specular_4;
-            deep_0 = _S72;
+            deep_0 = _S80;
         }
         else
         {
@@ -989,53 +1090,51 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
             specular_2 = specular_1;
             deep_1 = deep_0;
         }
-        var _S73 : i32 = index_1 + i32(1);
-        lit_most_0 = _S70;
-        index_1 = _S73;
+        var _S81 : i32 = index_1 + i32(1);
+        lit_most_0 = _S78;
+        index_1 = _S81;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S74 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S74;
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S82;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S75 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S75;
+        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S83;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S76 : vec3<f32> = ambient_light_0(s_5, seen_3, gain_5) * s_5.visibility_0 + s_5.bounced_0;
+        var _S84 : vec3<f32> = ambient_light_0(s_5, seen_3, gain_5) * s_5.visibility_0 + s_5.bounced_0;
         var n_dot_v_5 : f32 = dot(s_5.sharp_0, s_5.view_0);
-        var power_3 : f32 = skin_specular_power_0(s_5.gloss_3);
-        var mirror_0 : vec3<f32> = skin_reflected_0(s_5.sharp_0, s_5.view_0);
-        var _S77 : vec3<f32> = mix(reflected_radiance_0(mirror_0, power_3 / 4.0f), reflected_radiance_0(mirror_0, power_3 * power_3 / 4.0f), vec3<f32>(0.05000000074505806f)) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_5.gloss_3, s_5.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_5.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_5.gloss_3));
+        var _S85 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_5.sharp_0, s_5.view_0), s_5.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_5.gloss_3, s_5.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_5.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_5.gloss_3));
         if(SHADING_0 == i32(2))
         {
-            _S69 = TAPS_0 > i32(0);
+            _S77 = TAPS_0 > i32(0);
         }
         else
         {
-            _S69 = false;
+            _S77 = false;
         }
-        if(_S69)
+        if(_S77)
         {
             direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_5.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S68;
+            direct_0 = _S76;
         }
-        var _S78 : vec3<f32> = direct_0;
-        direct_0 = _S77;
-        specular_0 = _S76;
-        direct_1 = _S78;
+        var _S86 : vec3<f32> = direct_0;
+        direct_0 = _S85;
+        specular_0 = _S84;
+        direct_1 = _S86;
     }
     else
     {
-        direct_0 = _S68;
-        specular_0 = _S68;
-        direct_1 = _S68;
+        direct_0 = _S76;
+        specular_0 = _S76;
+        direct_1 = _S76;
     }
     if(SHADING_0 != i32(1))
     {
@@ -1049,14 +1148,14 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
     var deep_3 : vec3<f32> = deep_1 * specular_1;
     var ambient_0 : vec3<f32> = specular_0 * specular_1;
     var ambient_deep_0 : vec3<f32> = direct_1 * specular_1;
-    var _S79 : vec3<f32> = direct_5 + deep_3 + specular_2 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S87 : vec3<f32> = direct_5 + deep_3 + specular_2 + ambient_0 + ambient_deep_0 + direct_0;
     if(VIEW_0 == i32(7))
     {
         deep_0 = direct_5;
     }
     else
     {
-        deep_0 = _S79;
+        deep_0 = _S87;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1078,7 +1177,11 @@ fn fragment_main( _S54 : pixelInput_0, @builtin(position) clip_1 : vec4<f32>) ->
     {
         deep_0 = direct_0;
     }
-    var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(deep_0, 1.0f) );
-    return _S80;
+    if(MULTISAMPLED_0 > i32(0))
+    {
+        deep_0 = min(deep_0, vec3<f32>(60000.0f));
+    }
+    var _S88 : pixelOutput_0 = pixelOutput_0( vec4<f32>(deep_0, 1.0f) );
+    return _S88;
 }
 

@@ -1,0 +1,188 @@
+@binding(1) @group(0) var light_texels_0 : texture_2d<f32>;
+
+@binding(2) @group(0) var sum_texels_0 : texture_2d<f32>;
+
+struct FrameBlock_std140_0
+{
+    @align(16) radiance_sh_0 : array<vec4<f32>, i32(9)>,
+    @align(16) clip_x_0 : vec4<f32>,
+    @align(16) clip_y_0 : vec4<f32>,
+    @align(16) clip_z_0 : vec4<f32>,
+    @align(16) clip_w_0 : vec4<f32>,
+    @align(16) eye_mm_0 : vec4<f32>,
+    @align(16) ray_across_0 : vec4<f32>,
+    @align(16) ray_up_0 : vec4<f32>,
+    @align(16) ray_ahead_0 : vec4<f32>,
+    @align(16) background_0 : vec4<f32>,
+    @align(16) footprint_0 : f32,
+    @align(4) sample_weight_0 : f32,
+    @align(8) uv_scale_mm_0 : f32,
+    @align(4) environment_scale_0 : f32,
+    @align(16) exposure_0 : f32,
+};
+
+@binding(0) @group(0) var<uniform> frame_block_0 : FrameBlock_std140_0;
+@binding(3) @group(0) var sky_texels_0 : texture_2d<f32>;
+
+@id(0) override STAGE_0 : i32 = i32(1);
+
+@id(1) override ENVIRONMENT_0 : i32 = i32(0);
+
+struct vertexOutput_0
+{
+    @invariant @builtin(position) output_0 : vec4<f32>,
+};
+
+@vertex
+fn vertex_main(@builtin(vertex_index) corner_0 : u32) -> vertexOutput_0
+{
+    var _S1 : f32;
+    if(corner_0 == u32(1))
+    {
+        _S1 = 3.0f;
+    }
+    else
+    {
+        _S1 = -1.0f;
+    }
+    var _S2 : f32;
+    if(corner_0 == u32(2))
+    {
+        _S2 = 3.0f;
+    }
+    else
+    {
+        _S2 = -1.0f;
+    }
+    var _S3 : vertexOutput_0 = vertexOutput_0( vec4<f32>(_S1, _S2, 0.0f, 1.0f) );
+    return _S3;
+}
+
+fn skin_safe_length_0( v_0 : vec3<f32>) -> f32
+{
+    return sqrt(max(dot(v_0, v_0), 1.00000004581370497e-18f));
+}
+
+fn skin_unit_vectors_0( v_1 : vec3<f32>) -> vec3<f32>
+{
+    return v_1 / vec3<f32>(skin_safe_length_0(v_1));
+}
+
+fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
+{
+    var _S4 : f32 = direction_0.x;
+    var _S5 : f32 = direction_0.z;
+    var level_0 : f32 = sqrt(_S4 * _S4 + _S5 * _S5);
+    var x_0 : f32;
+    if(level_0 > 0.0f)
+    {
+        x_0 = _S4;
+    }
+    else
+    {
+        x_0 = 1.0f;
+    }
+    return vec2<f32>(0.5f + atan2(_S5, x_0) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+}
+
+fn sky_radiance_0( direction_1 : vec3<f32>) -> vec3<f32>
+{
+    var width_0 : u32;
+    var height_0 : u32;
+    {var dim = textureDimensions((sky_texels_0));((width_0)) = dim.x;((height_0)) = dim.y;};
+    var uv_0 : vec2<f32> = skin_equirectangular_uv_0(direction_1);
+    var _S6 : f32 = uv_0.x * f32(width_0) - 0.5f;
+    var _S7 : f32 = clamp(uv_0.y * f32(height_0) - 0.5f, 0.0f, f32(height_0) - 1.0f);
+    var _S8 : f32 = floor(_S6);
+    var _S9 : f32 = min(floor(_S7), f32(height_0) - 2.0f);
+    var f_0 : vec2<f32> = vec2<f32>(_S6, _S7) - vec2<f32>(_S8, _S9);
+    var left_0 : i32 = (i32(_S8) + i32(width_0)) % i32(width_0);
+    var right_0 : i32 = (left_0 + i32(1)) % i32(width_0);
+    var top_0 : i32 = i32(_S9);
+    var _S10 : vec3<i32> = vec3<i32>(left_0, top_0, i32(0));
+    var _S11 : vec3<i32> = vec3<i32>(right_0, top_0, i32(0));
+    var _S12 : i32 = top_0 + i32(1);
+    var _S13 : vec3<i32> = vec3<i32>(left_0, _S12, i32(0));
+    var _S14 : vec3<i32> = vec3<i32>(right_0, _S12, i32(0));
+    var _S15 : vec3<f32> = vec3<f32>(f_0.x);
+    return vec3<f32>(frame_block_0.environment_scale_0) * mix(mix((textureLoad((sky_texels_0), ((_S10)).xy, ((_S10)).z)).xyz, (textureLoad((sky_texels_0), ((_S11)).xy, ((_S11)).z)).xyz, _S15), mix((textureLoad((sky_texels_0), ((_S13)).xy, ((_S13)).z)).xyz, (textureLoad((sky_texels_0), ((_S14)).xy, ((_S14)).z)).xyz, _S15), vec3<f32>(f_0.y));
+}
+
+fn skin_srgb_curve_0( x_1 : f32) -> f32
+{
+    var _S16 : f32;
+    if(x_1 <= 0.00313080009073019f)
+    {
+        _S16 = 12.92000007629394531f * x_1;
+    }
+    else
+    {
+        _S16 = 1.0549999475479126f * pow(max(x_1, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S16;
+}
+
+fn skin_srgb_from_linear_0( light_0 : vec3<f32>) -> vec3<f32>
+{
+    var x_2 : vec3<f32> = saturate(light_0);
+    return vec3<f32>(skin_srgb_curve_0(x_2.x), skin_srgb_curve_0(x_2.y), skin_srgb_curve_0(x_2.z));
+}
+
+fn skin_filmic_0( light_1 : vec3<f32>) -> vec3<f32>
+{
+    var x_3 : vec3<f32> = max(light_1 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S17 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S17 + vec3<f32>(0.5f)) / (x_3 * (_S17 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+}
+
+struct pixelOutput_0
+{
+    @location(0) output_1 : vec4<f32>,
+};
+
+@fragment
+fn fragment_main(@invariant @builtin(position) clip_0 : vec4<f32>) -> pixelOutput_0
+{
+    var texel_0 : vec3<i32> = vec3<i32>(vec2<i32>(clip_0.xy), i32(0));
+    var light_2 : vec4<f32> = (textureLoad((light_texels_0), ((texel_0)).xy, ((texel_0)).z));
+    if(STAGE_0 == i32(0))
+    {
+        var _S18 : pixelOutput_0 = pixelOutput_0( (textureLoad((sum_texels_0), ((texel_0)).xy, ((texel_0)).z)) + vec4<f32>(frame_block_0.sample_weight_0) * light_2 );
+        return _S18;
+    }
+    var _S19 : vec3<f32> = frame_block_0.background_0.xyz;
+    var behind_0 : vec3<f32>;
+    if(ENVIRONMENT_0 > i32(0))
+    {
+        var width_1 : u32;
+        var height_1 : u32;
+        {var dim = textureDimensions((light_texels_0));((width_1)) = dim.x;((height_1)) = dim.y;};
+        var _S20 : vec3<f32> = sky_radiance_0(skin_unit_vectors_0(frame_block_0.ray_across_0.xyz * vec3<f32>((2.0f * clip_0.x / f32(width_1) - 1.0f)) + frame_block_0.ray_up_0.xyz * vec3<f32>((1.0f - 2.0f * clip_0.y / f32(height_1))) + frame_block_0.ray_ahead_0.xyz));
+        behind_0 = _S20;
+    }
+    else
+    {
+        behind_0 = _S19;
+    }
+    var _S21 : f32 = light_2.w;
+    var shown_0 : vec3<f32> = light_2.xyz + vec3<f32>((1.0f - _S21)) * behind_0;
+    var shown_1 : vec3<f32>;
+    if(STAGE_0 == i32(2))
+    {
+        shown_1 = skin_srgb_from_linear_0(shown_0 * vec3<f32>(frame_block_0.exposure_0));
+    }
+    else
+    {
+        shown_1 = shown_0;
+    }
+    if(STAGE_0 == i32(3))
+    {
+        shown_1 = skin_filmic_0(shown_1 * vec3<f32>(frame_block_0.exposure_0));
+    }
+    else
+    {
+    }
+    var _S22 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_1, _S21) );
+    return _S22;
+}
+
