@@ -17,6 +17,7 @@ __all__ = [
     "as_floats",
     "as_positions",
     "as_rgb",
+    "as_triple",
     "dot",
     "unit_vectors",
 ]
@@ -138,3 +139,9 @@ def _first(array: NDArray[np.generic], bad: NDArray[np.bool_]) -> str:
     index = tuple(int(i) for i in np.argwhere(bad)[0])
     place = "[" + ", ".join(map(str, index)) + "]" if index else ""
     return f"{place} is {array[index]}"
+
+
+def as_triple(values: FloatArray) -> tuple[float, float, float]:
+    """Return three numbers as a tuple; no check."""
+    x, y, z = (float(each) for each in values)
+    return x, y, z

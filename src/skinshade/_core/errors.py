@@ -12,6 +12,7 @@
     │   │   ├── LutFileError
     │   │   └── SceneFileError
     │   ├── MeshError                  a mesh that no repair can make usable
+    │   ├── ShaderError                a user's shader that cannot be bound
     │   └── OutputError                a place that cannot be written
     ├── BackendError                   no device to render with, or it was lost
     ├── DownloadError                  an asset that could not be fetched, or has a wrong hash
@@ -33,6 +34,7 @@ __all__ = [
     "MeshFileError",
     "OutputError",
     "SceneFileError",
+    "ShaderError",
     "SkinshadeError",
     "UnitError",
     "UnitWarning",
@@ -81,6 +83,10 @@ class SceneFileError(FileError):
 
 class MeshError(InputError):
     """A mesh that no documented repair can make usable."""
+
+
+class ShaderError(InputError):
+    """A user's shader declares something of ours otherwise than it is, or lacks it."""
 
 
 class OutputError(InputError):

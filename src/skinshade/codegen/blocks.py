@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import Field, fields
+from collections.abc import Iterable, Mapping
+from dataclasses import Field, dataclass, fields
 from typing import Any
 
 from .._core.errors import CompilerError
@@ -11,24 +12,77 @@ from ..params.fields import meaning
 from ..params.packing import float_count, kind_of
 from .compiler import Language, translate
 
-__all__ = ["block_layouts", "block_source", "echo_source"]
+__all__ = [
+    "LIBRARY_BLOCKS",
+    "STRUCTS",
+    "block_layouts",
+    "block_source",
+    "block_text",
+    "echo_source",
+    "explained",
+]
 
 LANGUAGES: tuple[Language, ...] = ("wgsl", "glsl", "hlsl", "metal")
 
 
+HEADER = "// Generated from skinshade.params by `python -m skinshade.codegen`.\n"
+LIBRARY_BLOCKS = ("SkinBlock", "ScatterBlock")
+"""Those that engines fill; the others are the renderer's own."""
+
+
+@dataclass(frozen=True)
+class StructForm:
+    """How a language writes a struct.
+
+    Attributes
+    ----------
+    types
+        Its names of ``float4``, ``float2`` and ``float``, where they are others.
+    field
+        Of a name, a type and a comment.
+    """
+
+    types: Mapping[str, str]
+    field: str = "    {kind} {name}; // {about}"
+
+
+C_LIKE = StructForm({})
+STRUCTS = {
+    "slang": C_LIKE,
+    "hlsl": C_LIKE,
+    "metal": C_LIKE,
+    "glsl": StructForm({"float4": "vec4", "float2": "vec2"}),
+    "wgsl": StructForm(
+        {"float4": "vec4<f32>", "float2": "vec2<f32>", "float": "f32"},
+        "    {name} : {kind}, // {about}",
+    ),
+}
+
+
 def block_source() -> str:
-    """Return the blocks as Slang structs, widest fields first, with unit and range of each."""
-    lines = ["// Generated from skinshade.params by `python -m skinshade.codegen`.", ""]
-    for name, of in BLOCKS.items():
-        lines += [f"struct {name}", "{"]
-        for field in _ordered(of):
-            m = meaning(field)
-            unit = "" if m.unit == "1" else f" {m.unit}"
+    """Return every block as a Slang struct, widest fields first, with unit and range of each."""
+    return block_text("slang", BLOCKS)
+
+
+def block_text(language: str, blocks: Iterable[str] = LIBRARY_BLOCKS) -> str:
+    """Return blocks as structs of a language of `STRUCTS`."""
+    form, lines = STRUCTS[language], [HEADER]
+    for block in blocks:
+        lines += [f"struct {block}", "{"]
+        for field in _ordered(BLOCKS[block]):
             kind, _, count = _kind(field).partition("[")
             name = f"{field.name}[{count}" if count else field.name
-            lines.append(f"    {kind} {name}; // {m.low:g}..{m.high:g}{unit}. {m.about}")
+            written = form.types.get(kind, kind)
+            lines.append(form.field.format(kind=written, name=name, about=explained(field)))
         lines += ["};", ""]
     return "\n".join(lines)
+
+
+def explained(field: Field[Any]) -> str:
+    """Return range, unit and meaning of a field, as comments give them."""
+    m = meaning(field)
+    unit = "" if m.unit == "1" else f" {m.unit}"
+    return f"{m.low:g}..{m.high:g}{unit}. {m.about}"
 
 
 def block_layouts() -> dict[str, Any]:

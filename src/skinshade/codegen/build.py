@@ -8,7 +8,8 @@ from hashlib import sha256
 from pathlib import Path
 
 from .._core.files import atomic_write
-from .blocks import block_layouts, block_source, echo_source
+from .blocks import STRUCTS, block_layouts, block_source, block_text, echo_source
+from .c_header import c_header
 from .compiler import LIBRARY, translate, version
 from .constants import constants_source
 from .kernels import kernel_source
@@ -32,7 +33,10 @@ def generate() -> dict[str, str]:
     """Return name and text of every file of ``shaders/generated``; the same on every machine."""
     files = {f"skin.{each.suffix}": library(each) for each in DIALECTS.values()}
     files |= {name: source() for name, source in INCLUDED.items()}
-    files["layout.json"] = _json({"blocks": block_layouts()})
+    files |= {f"blocks.{each}": block_text(each) for each in STRUCTS if each != "slang"}
+    layouts = block_layouts()
+    files["layout.json"] = _json({"blocks": layouts})
+    files["skinshade.h"] = c_header(layouts)
     files["kernels.wgsl"] = translate(kernel_source(signatures()), "wgsl").text
     files |= {f"{name}.wgsl": _pass(name) for name in PASSES}
     files["echo.wgsl"] = translate(block_source() + echo_source(), "wgsl").text

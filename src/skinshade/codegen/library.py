@@ -82,5 +82,22 @@ DROPPED: dict[Language, str] = {
 
 
 def _renamed(text: str) -> str:
-    """Take the compiler's counters off functions, which the language lets no two share."""
-    return re.sub(r"\b(skin_[a-z0-9_]*?)_0\b(?=\s*\()", r"\1", text)
+    """Take the compiler's counters off what a user reads: functions, tables, parameters.
+
+    What the compiler added of its own gets the library's prefix, so that it meets nothing of the user's.
+    """
+    text = re.sub(r"\b(skin_[a-z0-9_]*?)_0\b(?=\s*\()", r"\1", text)
+    text = re.sub(r"\b(SKIN_[A-Z0-9_]*?)_0\b", r"\1", text)
+    text = re.sub(r"\b(saturate|rsqrt)_(\d+)\b", r"skin_\1_\2", text)
+    return FUNCTION.sub(lambda found: _with_plain_parameters(found.group(0)), text)
+
+
+FUNCTION = re.compile(r"^(?:fn |[\w<>, ]+? )\w+\([^\n{;]*\)[^\n;]*\n\{.*?^\}", re.M | re.S)
+
+
+def _with_plain_parameters(function: str) -> str:
+    head = function[: function.index("{")]
+    inside = head[head.index("(") + 1 : head.rindex(")")]
+    for name in re.findall(r"\b([A-Za-z]\w*?_\d+)\b", inside):
+        function = re.sub(rf"\b{name}\b", re.sub(r"_\d+$", "", name), function)
+    return re.sub(r"(?<=\() |(?<=, ) ", "", function, count=inside.count(",") + 1)

@@ -7,7 +7,7 @@ import wgpu
 
 from .._core.arrays import ImageArray
 
-__all__ = ["buffer", "loaded_texture", "mip_texture", "table_texture"]
+__all__ = ["buffer", "loaded_texture", "lut_texture", "mip_texture"]
 
 USAGE = wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST
 
@@ -17,7 +17,7 @@ def buffer(device: wgpu.GPUDevice, data: bytes, usage: int) -> wgpu.GPUBuffer:
     return device.create_buffer_with_data(data=data, usage=usage | wgpu.BufferUsage.COPY_DST)
 
 
-def table_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
+def lut_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
     """Return a table (H, W, 3) as float32 where that can be filtered, else as half floats."""
     exact = "float32-filterable" in device.features
     return _texture(device, [_rgba(values)], "rgba32float" if exact else "rgba16float")

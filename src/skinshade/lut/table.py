@@ -16,7 +16,7 @@ from .._core.errors import ArgumentError
 
 __all__ = ["Axis", "Lut", "LutKind", "checked_size"]
 
-LutKind = Literal["curvature", "shadow"]
+LutKind = Literal["curvature", "shadow", "transfer"]
 Spacing = Literal["linear", "sqrt"]
 
 
@@ -82,7 +82,7 @@ class Lut:
     values
         (H, W, 3) float32, physical: no encoding, no offset.
     kind
-        ``curvature`` or ``shadow``.
+        ``curvature``, ``shadow`` or ``transfer``.
     columns, rows
         What runs along the width and the height.
     provenance
@@ -103,7 +103,13 @@ class Lut:
         if not np.isfinite(self.values).all():
             raise ArgumentError("values: a table must be finite")
         if self.kind not in get_args(LutKind):
-            raise ArgumentError(f"kind is {self.kind!r}; it must be curvature or shadow")
+            raise ArgumentError(f"kind is {self.kind!r}; it must be curvature, shadow or transfer")
+
+    @property
+    def axes(self) -> tuple[float, float, float, float]:
+        """What shaders take: low and 1/(high − low) of the columns, then of the rows, as they are warped."""
+        (left, right), (top, bottom) = self.columns.warped_ends, self.rows.warped_ends
+        return left, 1.0 / (right - left), top, 1.0 / (bottom - top)
 
     @property
     def value_range(self) -> tuple[float, float]:
@@ -116,9 +122,10 @@ class Lut:
         Parameters
         ----------
         column
-            (...) N·L (curvature) or the value of the wide shadow filter (shadow).
+            (...) N·L (curvature), the value of the wide shadow filter (shadow), or a spatial frequency
+            (transfer).
         row
-            (...) curvature, or N·L over the filter's width; 1/mm.
+            (...) curvature, or N·L over the filter's width, 1/mm; of no account for transfer.
 
         Returns
         -------

@@ -2,25 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from .._core.arrays import FloatArray
-from ..lut import Lut, build_curvature_lut, build_shadow_lut
+from .._core.arrays import FloatArray, as_triple
+from ..lut import Lut, build_curvature_lut, build_shadow_lut, build_transfer_lut
 from ..lut.classic import classic_curvature_lut, classic_shadow_lut
 from ..lut.spectral import DiffusionGeometry
-from ..params import SkinParams
+from ..params import ScatterParams, SkinParams
 from ..profile import Profile
 from . import deep_scatter, normals, shadow
 from .normals import NormalBlend
 
-__all__ = ["Skin"]
+__all__ = ["LUTS", "Skin"]
 
 TABLE_RADIUS_MM = (0.5, 4000.0)
 """Radii of curvature that the tables hold: from a lash line to what is flat for any profile."""
 TABLE_SIZE = (512, 128)
+
+LUTS = {
+    "ring": "ring",
+    "sphere": "sphere",
+    "transfer": "transfer_lut",
+    "shadow": "shadow",
+    "classic": "classic_curvature",
+    "classic_shadow": "classic_shadow",
+}
+"""Tables by their names in shaders, where each is ``<name>_lut`` with ``<name>_axes``."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +54,30 @@ class Skin:
         """Return the skin of a material's profile and parameters."""
         return cls(profile.scaled(params.scatter_scale), params)
 
+    def lut(self, name: str) -> Lut:
+        """Return a table by its name in shaders, one of `LUTS`."""
+        found: Lut = getattr(self, LUTS[name])
+        return found
+
+    def scatter_params(
+        self, fetches: int = 3, luts: Sequence[str] = ("ring", "sphere", "transfer", "shadow")
+    ) -> ScatterParams:
+        """Return what shaders take of the profile and of these tables, for 2 or 3 normal fetches."""
+        blend = self.blend(fetches)
+        weights, sigmas = np.zeros((3, 3)), np.zeros(2)
+        weights[:, :fetches] = blend.weights
+        sigmas[: fetches - 1] = blend.sigmas_mm
+        return ScatterParams(
+            albedo=as_triple(self.profile.albedo),
+            rms_radius_mm=as_triple(self.profile.rms_radius_mm),
+            sigma_per_mm=as_triple(self.sigma_per_mm),
+            blend_red=as_triple(weights[0]),
+            blend_green=as_triple(weights[1]),
+            blend_blue=as_triple(weights[2]),
+            normal_sigmas_mm=(float(sigmas[0]), float(sigmas[1])),
+            **{f"{name}_axes": self.lut(name).axes for name in luts},
+        )
+
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
         """Return the profile's T(k) (..., 3)."""
         return self.profile.kernel.transfer(k_per_mm)
@@ -56,6 +91,11 @@ class Skin:
     def ring(self) -> Lut:
         """Curvature table of the ring, without energy gain."""
         return self._curvature_table("ring")
+
+    @cached_property
+    def transfer_lut(self) -> Lut:
+        """T(k) as shaders look it up."""
+        return build_transfer_lut(self.profile)
 
     @cached_property
     def shadow(self) -> Lut:

@@ -29,7 +29,7 @@ def tables(draw):
     finite = st.floats(-(2.0**20), 2.0**20, width=32)
     low, span = draw(st.floats(0.0, 10.0)), draw(st.floats(0.1, 10.0))
     axis = Axis(draw(TEXT), "1/mm", low, low + span, draw(st.sampled_from(["linear", "sqrt"])))
-    kind = draw(st.sampled_from(["curvature", "shadow"]))
+    kind = draw(st.sampled_from(["curvature", "shadow", "transfer"]))
     return Lut(draw(hnp.arrays(np.float32, shape, elements=finite)), kind, axis, axis, draw(NOTES))
 
 

@@ -6,22 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..._core.arrays import FloatArray
+from ..._core.arrays import FloatArray, as_triple
 from ...params import FrameParams, LightParams
 from ...scene import Camera, DirectionalLight, Light
 from ..light_view import LightView
 from ..prepared import PreparedScene
 
-__all__ = ["frame_params", "light_params", "three"]
+__all__ = ["frame_params", "light_params"]
 
-Three = tuple[float, float, float]
 Four = tuple[float, float, float, float]
-
-
-def three(values: FloatArray) -> Three:
-    """Return (3,) as a tuple."""
-    red, green, blue = (float(each) for each in values)
-    return red, green, blue
 
 
 def _four(values: FloatArray) -> Four:
@@ -58,12 +51,12 @@ def frame_params(
         clip_y=_four(matrix[1]),
         clip_z=_four(matrix[2]),
         clip_w=_four(matrix[3]),
-        radiance_sh=tuple(three(each) for each in harmonics),
-        eye_mm=three(camera.position_mm),
-        ray_across=three(right - middle),
-        ray_up=three(top - middle),
-        ray_ahead=three(middle - camera.position_mm),
-        background=three(scene.background),
+        radiance_sh=tuple(as_triple(each) for each in harmonics),
+        eye_mm=as_triple(camera.position_mm),
+        ray_across=as_triple(right - middle),
+        ray_up=as_triple(top - middle),
+        ray_ahead=as_triple(middle - camera.position_mm),
+        background=as_triple(scene.background),
         footprint=float(1.0 / np.sqrt(samples)),
         sample_weight=1.0 / samples,
         uv_scale_mm=prepared.uv_scale_mm if "normal" in prepared.textures else 1.0,
@@ -82,19 +75,19 @@ def light_params(light: Light, seen: LightView, filter_width_mm: float) -> Light
         clip_x=_four(projection[0]),
         clip_y=_four(projection[1]),
         clip_w=_four(projection[3]),
-        irradiance=three(light.irradiance),
+        irradiance=as_triple(light.irradiance),
         depth_mm=(seen.middle_depth_mm, seen.reach_mm),
         blur_texels=seen.blur_texels(filter_width_mm),
     )
     if isinstance(light, DirectionalLight):
-        return replace(record, direction=three(light.to_light))
+        return replace(record, direction=as_triple(light.to_light))
     away = light.position_mm - light.target_mm
     distance = float(np.linalg.norm(away))
     outer, inner = np.cos(np.radians([light.cone_deg, 0.8 * light.cone_deg]))
     return replace(
         record,
-        direction=three(away / distance),
-        position_mm=three(light.position_mm),
+        direction=as_triple(away / distance),
+        position_mm=as_triple(light.position_mm),
         cone_cosines=(float(outer), float(inner)),
         near=1.0,
         target_distance_mm=distance,

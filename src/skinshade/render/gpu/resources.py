@@ -8,15 +8,15 @@ import numpy as np
 import wgpu
 
 from ..._core.arrays import ImageArray
-from ...gpu.textures import buffer, loaded_texture, mip_texture, table_texture
-from ...lut import Lut
-from ...params import FrameParams, LightParams, ScatterParams
+from ...gpu.luts import LutTextures
+from ...gpu.textures import buffer, loaded_texture, lut_texture, mip_texture
+from ...params import FrameParams, LightParams
 from ..cpu.texture import Texture
 from ..prepared import PreparedScene
 from ..renderer import RenderSettings
-from .records import light_params, three
+from .records import light_params
 
-__all__ = ["ATTRIBUTES", "TABLES", "Resources", "tables_of"]
+__all__ = ["ATTRIBUTES", "Resources", "luts_of"]
 
 Key = tuple[int | str, ...]
 
@@ -36,17 +36,6 @@ COLUMNS = {
     "bounced": 3,
 }
 """Numbers of each; what the scene has none of stays 0."""
-LUTS = {
-    "ring": "ring",
-    "sphere": "sphere",
-    "shadow_table": "shadow",
-    "classic_table": "classic_curvature",
-    "classic_shadow_table": "classic_shadow",
-}
-"""Tables of the pass, and what `Skin` calls them."""
-TABLES = ("transfer", *LUTS)
-TRANSFER_SIZE = 2048
-WIDEST_K_PER_MM = 16.0
 
 
 class Resources:
@@ -64,7 +53,6 @@ class Resources:
         self.device = device
         self.prepared = prepared
         self._scatter_blocks: dict[Key, wgpu.GPUBuffer] = {}
-        self._tables: dict[str, wgpu.GPUTexture] = {}
         self._taps: dict[int, wgpu.GPUBuffer] = {}
 
     @cached_property
@@ -97,51 +85,17 @@ class Resources:
 
     def scatter_block(self, way: RenderSettings) -> wgpu.GPUBuffer:
         """Return the profile's numbers for a way to shade."""
-        key: Key = (way.normal_fetches, *tables_of(way))
+        key: Key = (way.normal_fetches, *luts_of(way))
         if key not in self._scatter_blocks:
-            data = self._scatter_params(way).pack()
+            params = self.prepared.skin.scatter_params(way.normal_fetches, luts_of(way))
+            data = params.pack()
             self._scatter_blocks[key] = buffer(self.device, data, wgpu.BufferUsage.UNIFORM)
         return self._scatter_blocks[key]
 
-    def _scatter_params(self, way: RenderSettings) -> ScatterParams:
-        skin = self.prepared.skin
-        profile, blend = skin.profile, skin.blend(way.normal_fetches)
-        weights = np.zeros((3, 3))
-        weights[:, : blend.weights.shape[1]] = blend.weights
-        sigmas = np.zeros(2)
-        sigmas[: blend.sigmas_mm.size] = blend.sigmas_mm
-        axes = {
-            f"{name.removesuffix('_table')}_axes": _axes(self._lut(name))
-            for name in tables_of(way)
-            if name != "transfer"
-        }
-        return ScatterParams(
-            albedo=three(profile.albedo),
-            rms_radius_mm=three(profile.rms_radius_mm),
-            sigma_per_mm=three(skin.sigma_per_mm),
-            blend_red=three(weights[0]),
-            blend_green=three(weights[1]),
-            blend_blue=three(weights[2]),
-            transfer_axes=(0.0, float(1.0 / np.sqrt(WIDEST_K_PER_MM)), 0.0, 1.0),
-            normal_sigmas_mm=(float(sigmas[0]), float(sigmas[1])),
-            **axes,
-        )
-
-    def table(self, name: str) -> wgpu.GPUTexture:
-        """Return a lookup table by the pass's name of it."""
-        if name not in self._tables:
-            values = self._transfer_values() if name == "transfer" else self._lut(name).values
-            self._tables[name] = table_texture(self.device, values)
-        return self._tables[name]
-
-    def _lut(self, name: str) -> Lut:
-        skin = self.prepared.skin
-        found: Lut = getattr(skin, LUTS[name])
-        return found
-
-    def _transfer_values(self) -> ImageArray:
-        root = (np.arange(TRANSFER_SIZE) + 0.5) / TRANSFER_SIZE * np.sqrt(WIDEST_K_PER_MM)
-        return self.prepared.skin.transfer(np.square(root))[None].astype(np.float32)
+    @cached_property
+    def luts(self) -> LutTextures:
+        """Lookup tables."""
+        return LutTextures(self.device, self.prepared.skin)
 
     @cached_property
     def frame_block(self) -> wgpu.GPUBuffer:
@@ -153,9 +107,9 @@ class Resources:
         self.device.queue.write_buffer(self.frame_block, 0, frame.pack())
 
     @cached_property
-    def no_table(self) -> wgpu.GPUTexture:
-        """What stands where a picture needs no table."""
-        return table_texture(self.device, np.zeros((1, 1, 3), dtype=np.float32))
+    def nothing(self) -> wgpu.GPUTexture:
+        """What stands where a picture needs no texture."""
+        return lut_texture(self.device, np.zeros((1, 1, 3), dtype=np.float32))
 
     @cached_property
     def no_layer(self) -> wgpu.GPUTexture:
@@ -187,7 +141,7 @@ class Resources:
         """Levels of the environment's reflection, one below the other."""
         environment = self.prepared.scene.environment
         if environment is None:
-            return self.no_table
+            return self.nothing
         return mip_texture(self.device, [environment.preconvolved.atlas])
 
     @cached_property
@@ -195,7 +149,7 @@ class Resources:
         """What is seen behind the body, unscaled."""
         environment = self.prepared.scene.environment
         if environment is None or not environment.visible:
-            return self.no_table
+            return self.nothing
         return loaded_texture(self.device, environment.radiance)
 
     @property
@@ -219,18 +173,13 @@ class Resources:
         return self._taps[count]
 
 
-def tables_of(way: RenderSettings) -> tuple[str, ...]:
+def luts_of(way: RenderSettings) -> tuple[str, ...]:
     """Return the tables that a way to shade reads; no other need be made."""
     if way.shading == "lambert":
         return ()
     if way.shading == "classic":
-        return ("classic_table", "classic_shadow_table")
-    return ("transfer", "shadow_table", "sphere" if way.tier == "scalar" else "ring")
-
-
-def _axes(lut: Lut) -> tuple[float, float, float, float]:
-    (left, right), (top, bottom) = lut.columns.warped_ends, lut.rows.warped_ends
-    return left, 1.0 / (right - left), top, 1.0 / (bottom - top)
+        return ("classic", "classic_shadow")
+    return ("transfer", "shadow", "sphere" if way.tier == "scalar" else "ring")
 
 
 def _levels(texture: Texture) -> list[ImageArray]:

@@ -8,7 +8,7 @@ import wgpu
 
 from ..renderer import DEBUG_VIEWS, SHADINGS, SHADOW_FILTERS, TIERS, RenderSettings
 from .programs import open_program
-from .resources import ATTRIBUTES, TABLES, Resources, tables_of
+from .resources import ATTRIBUTES, Resources, luts_of
 from .shadows import Shadows
 
 __all__ = ["SkinPass"]
@@ -69,8 +69,14 @@ class SkinPass:
 
     def _bound(self, way: RenderSettings) -> dict[str, Any]:
         made, seen = self._resources, self._shadows
-        device, wanted = made.device, tables_of(way)
-        tables = {name: made.table(name) if name in wanted else made.no_table for name in TABLES}
+        device, wanted = made.device, luts_of(way)
+        luts = {
+            name: made.luts[name.removesuffix("_lut")]
+            if name.removesuffix("_lut") in wanted
+            else made.nothing
+            for name in self._program.points
+            if name.endswith("_lut")
+        }
         buffers = {
             "skin_block": made.skin_block,
             "scatter_block": made.scatter_block(way),
@@ -85,10 +91,10 @@ class SkinPass:
         repeat = {"address_mode_u": "repeat", "address_mode_v": "repeat"}
         return {
             **{name: {"buffer": each} for name, each in buffers.items()},
-            **{name: each.create_view() for name, each in (tables | made.maps).items()},
+            **{name: each.create_view() for name, each in (luts | made.maps).items()},
             **{name: each.create_view(dimension="2d-array") for name, each in layers.items()},
             "preconvolved": made.preconvolved.create_view(),
-            "table_sampler": device.create_sampler(**linear),
+            "lut_sampler": device.create_sampler(**linear),
             "map_sampler": device.create_sampler(**mips, **repeat),
             "footprint_sampler": device.create_sampler(**mips, **repeat, max_anisotropy=ANISOTROPY),
             "sky_sampler": device.create_sampler(**linear, address_mode_u="repeat"),

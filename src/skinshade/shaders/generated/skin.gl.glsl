@@ -1,198 +1,198 @@
 // The skinshade library, generated from shaders/skin by `python -m skinshade.codegen`.
-vec3 saturate_0(vec3 x_0)
+vec3 skin_saturate_0(vec3 x)
 {
-    return clamp(x_0, vec3(0.0), vec3(1.0));
+    return clamp(x, vec3(0.0), vec3(1.0));
 }
 
-const vec2  SKIN_POISSON_32_0[32] = vec2[](vec2(-0.02096010930836201, 0.01299272011965513), vec2(0.69517123699188232, -0.04910685122013092), vec2(0.28034570813179016, 0.66283899545669556), vec2(0.03107489086687565, -0.69704329967498779), vec2(-0.49904009699821472, 0.54098159074783325), vec2(-0.70408397912979126, -0.14709833264350891), vec2(0.53451526165008545, -0.56702268123626709), vec2(-0.48678380250930786, -0.61486828327178955), vec2(0.68837428092956543, 0.41418349742889404), vec2(-0.14107078313827515, 0.8102262020111084), vec2(0.21897397935390472, -0.3123532235622406), vec2(0.31406453251838684, 0.24951401352882385), vec2(-0.83115619421005249, 0.28457203507423401), vec2(-0.40699386596679688, 0.14198443293571472), vec2(-0.10747358947992325, 0.41360348463058472), vec2(-0.19334819912910461, -0.34689420461654663), vec2(0.80768358707427979, -0.37000563740730286), vec2(0.33436411619186401, -0.82407790422439575), vec2(-0.79105347394943237, -0.45378401875495911), vec2(-0.23485180735588074, -0.86940687894821167), vec2(0.37255629897117615, -0.05855973064899445), vec2(0.5726354718208313, 0.72984015941619873), vec2(0.8966706395149231, 0.17047682404518127), vec2(-0.43273070454597473, 0.81860679388046265), vec2(0.1212853416800499, 0.92984902858734131), vec2(-0.42749753594398499, -0.15111121535301208), vec2(-0.94129812717437744, 0.00735718011856079), vec2(0.52211439609527588, -0.28702935576438904), vec2(-0.79033631086349487, 0.5402228832244873), vec2(-0.23410981893539429, -0.59940856695175171), vec2(0.28244560956954956, -0.563071608543396), vec2(0.57051312923431396, 0.18359191715717316));
-const vec2  SKIN_POISSON_8_0[8] = vec2[](vec2(-0.16089901328086853, -0.04573699831962585), vec2(-0.89243310689926147, 0.18877510726451874), vec2(-0.17830690741539001, 0.7200586199760437), vec2(-0.53433239459991455, -0.70478206872940063), vec2(0.22474820911884308, -0.69165337085723877), vec2(0.5559992790222168, 0.1985180526971817), vec2(0.64686292409896851, -0.3364911675453186), vec2(0.33836102485656738, 0.67131179571151733));
-float saturate_1(float x_1)
+const vec2  SKIN_POISSON_32[32] = vec2[](vec2(-0.02096010930836201, 0.01299272011965513), vec2(0.69517123699188232, -0.04910685122013092), vec2(0.28034570813179016, 0.66283899545669556), vec2(0.03107489086687565, -0.69704329967498779), vec2(-0.49904009699821472, 0.54098159074783325), vec2(-0.70408397912979126, -0.14709833264350891), vec2(0.53451526165008545, -0.56702268123626709), vec2(-0.48678380250930786, -0.61486828327178955), vec2(0.68837428092956543, 0.41418349742889404), vec2(-0.14107078313827515, 0.8102262020111084), vec2(0.21897397935390472, -0.3123532235622406), vec2(0.31406453251838684, 0.24951401352882385), vec2(-0.83115619421005249, 0.28457203507423401), vec2(-0.40699386596679688, 0.14198443293571472), vec2(-0.10747358947992325, 0.41360348463058472), vec2(-0.19334819912910461, -0.34689420461654663), vec2(0.80768358707427979, -0.37000563740730286), vec2(0.33436411619186401, -0.82407790422439575), vec2(-0.79105347394943237, -0.45378401875495911), vec2(-0.23485180735588074, -0.86940687894821167), vec2(0.37255629897117615, -0.05855973064899445), vec2(0.5726354718208313, 0.72984015941619873), vec2(0.8966706395149231, 0.17047682404518127), vec2(-0.43273070454597473, 0.81860679388046265), vec2(0.1212853416800499, 0.92984902858734131), vec2(-0.42749753594398499, -0.15111121535301208), vec2(-0.94129812717437744, 0.00735718011856079), vec2(0.52211439609527588, -0.28702935576438904), vec2(-0.79033631086349487, 0.5402228832244873), vec2(-0.23410981893539429, -0.59940856695175171), vec2(0.28244560956954956, -0.563071608543396), vec2(0.57051312923431396, 0.18359191715717316));
+const vec2  SKIN_POISSON_8[8] = vec2[](vec2(-0.16089901328086853, -0.04573699831962585), vec2(-0.89243310689926147, 0.18877510726451874), vec2(-0.17830690741539001, 0.7200586199760437), vec2(-0.53433239459991455, -0.70478206872940063), vec2(0.22474820911884308, -0.69165337085723877), vec2(0.5559992790222168, 0.1985180526971817), vec2(0.64686292409896851, -0.3364911675453186), vec2(0.33836102485656738, 0.67131179571151733));
+float skin_saturate_1(float x)
 {
-    return clamp(x_1, 0.0, 1.0);
+    return clamp(x, 0.0, 1.0);
 }
 
-vec2 saturate_2(vec2 x_2)
+vec2 skin_saturate_2(vec2 x)
 {
-    return clamp(x_2, vec2(0.0), vec2(1.0));
+    return clamp(x, vec2(0.0), vec2(1.0));
 }
 
-float skin_blur_level(float sigma_mm_0, float uv_scale_mm_0, float map_size_0, float hardware_level_0)
+float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float hardware_level)
 {
-    return max(hardware_level_0, log2(max(2.0 * sigma_mm_0 * map_size_0 / uv_scale_mm_0, 1.0)));
+    return max(hardware_level, log2(max(2.0 * sigma_mm * map_size / uv_scale_mm, 1.0)));
 }
 
-vec3 skin_weighted(mat3x3 rows_0, vec3 weights_0)
+vec3 skin_weighted(mat3x3 rows, vec3 weights)
 {
-    return weights_0.x * rows_0[0] + weights_0.y * rows_0[1] + weights_0.z * rows_0[2];
+    return weights.x * rows[0] + weights.y * rows[1] + weights.z * rows[2];
 }
 
-mat3x3 skin_blend_normals(mat3x3 fetched_0, mat3x3 blend_0)
+mat3x3 skin_blend_normals(mat3x3 fetched, mat3x3 blend)
 {
-    return mat3x3(skin_weighted(fetched_0, blend_0[0]), skin_weighted(fetched_0, blend_0[1]), skin_weighted(fetched_0, blend_0[2]));
+    return mat3x3(skin_weighted(fetched, blend[0]), skin_weighted(fetched, blend[1]), skin_weighted(fetched, blend[2]));
 }
 
-float skin_safe_length(vec3 v_0)
+float skin_safe_length(vec3 v)
 {
-    return sqrt(max(dot(v_0, v_0), 1.00000004581370497e-18));
+    return sqrt(max(dot(v, v), 1.00000004581370497e-18));
 }
 
-vec3 skin_displaced(vec3 from_texture_0, vec3 from_mesh_0, vec3 mesh_normal_0)
+vec3 skin_displaced(vec3 from_texture, vec3 from_mesh, vec3 mesh_normal)
 {
-    return from_texture_0 + skin_safe_length(from_texture_0) * (from_mesh_0 - mesh_normal_0);
+    return from_texture + skin_safe_length(from_texture) * (from_mesh - mesh_normal);
 }
 
-mat3x3 skin_add_mesh_diffusion(mat3x3 from_texture_1, mat3x3 from_mesh_1, vec3 mesh_normal_1)
+mat3x3 skin_add_mesh_diffusion(mat3x3 from_texture, mat3x3 from_mesh, vec3 mesh_normal)
 {
-    return mat3x3(skin_displaced(from_texture_1[0], from_mesh_1[0], mesh_normal_1), skin_displaced(from_texture_1[1], from_mesh_1[1], mesh_normal_1), skin_displaced(from_texture_1[2], from_mesh_1[2], mesh_normal_1));
+    return mat3x3(skin_displaced(from_texture[0], from_mesh[0], mesh_normal), skin_displaced(from_texture[1], from_mesh[1], mesh_normal), skin_displaced(from_texture[2], from_mesh[2], mesh_normal));
 }
 
-float skin_relief_bump(float m_0, float s_0)
+float skin_relief_bump(float m, float s)
 {
-    float _S1 = max(s_0, 9.99999971718068537e-10);
-    float _S2 = min(abs(m_0) / _S1, 8.0);
+    float _S1 = max(s, 9.99999971718068537e-10);
+    float _S2 = min(abs(m) / _S1, 8.0);
     return _S1 * (0.39894229173660278 * exp(-0.5 * _S2 * _S2)) / (1.0 + _S2 * (1.25119507312774658 + _S2 * (0.58454132080078125 + _S2 * 0.06752368807792664)));
 }
 
-vec3 skin_lengths(mat3x3 normals_0)
+vec3 skin_lengths(mat3x3 normals)
 {
-    return vec3(skin_safe_length(normals_0[0]), skin_safe_length(normals_0[1]), skin_safe_length(normals_0[2]));
+    return vec3(skin_safe_length(normals[0]), skin_safe_length(normals[1]), skin_safe_length(normals[2]));
 }
 
-vec3 skin_cosines(mat3x3 normals_1, vec3 light_0, vec3 lengths_0)
+vec3 skin_cosines(mat3x3 normals, vec3 light, vec3 lengths)
 {
-    return clamp(vec3(dot(normals_1[0], light_0), dot(normals_1[1], light_0), dot(normals_1[2], light_0)) / max(lengths_0, vec3(9.99999971718068537e-10)), vec3(-1.0), vec3(1.0));
+    return clamp(vec3(dot(normals[0], light), dot(normals[1], light), dot(normals[2], light)) / max(lengths, vec3(9.99999971718068537e-10)), vec3(-1.0), vec3(1.0));
 }
 
-vec3 skin_curvature_table(sampler2D lut_0, vec4 lut_axes_0, vec3 cos_theta_0, float curvature_per_mm_0)
+vec3 skin_curvature_table(sampler2D lut, vec4 lut_axes, vec3 cos_theta, float curvature_per_mm)
 {
-    float row_0 = sqrt(max(curvature_per_mm_0, 0.0));
-    vec2 _S3 = lut_axes_0.xz;
-    vec2 _S4 = lut_axes_0.yw;
-    return vec3((textureLod((lut_0), (saturate_2((vec2(cos_theta_0.x, row_0) - _S3) * _S4)), (0.0))).xyz.x, (textureLod((lut_0), (saturate_2((vec2(cos_theta_0.y, row_0) - _S3) * _S4)), (0.0))).xyz.y, (textureLod((lut_0), (saturate_2((vec2(cos_theta_0.z, row_0) - _S3) * _S4)), (0.0))).xyz.z);
+    float row_0 = sqrt(max(curvature_per_mm, 0.0));
+    vec2 _S3 = lut_axes.xz;
+    vec2 _S4 = lut_axes.yw;
+    return vec3((textureLod((lut), (skin_saturate_2((vec2(cos_theta.x, row_0) - _S3) * _S4)), (0.0))).xyz.x, (textureLod((lut), (skin_saturate_2((vec2(cos_theta.y, row_0) - _S3) * _S4)), (0.0))).xyz.y, (textureLod((lut), (skin_saturate_2((vec2(cos_theta.z, row_0) - _S3) * _S4)), (0.0))).xyz.z);
 }
 
-vec3 skin_lost_relief(vec3 lengths_1, vec3 cos_theta_1)
+vec3 skin_lost_relief(vec3 lengths, vec3 cos_theta)
 {
     const vec3 _S5 = vec3(0.0);
-    vec3 slope_0 = sqrt(max(- log(clamp(lengths_1, vec3(0.00100000004749745), vec3(1.0))), _S5));
-    vec3 sine_0 = sqrt(max(1.0 - cos_theta_1 * cos_theta_1, _S5));
-    return vec3(skin_relief_bump(lengths_1.x * cos_theta_1.x, slope_0.x * sine_0.x), skin_relief_bump(lengths_1.y * cos_theta_1.y, slope_0.y * sine_0.y), skin_relief_bump(lengths_1.z * cos_theta_1.z, slope_0.z * sine_0.z));
+    vec3 slope_0 = sqrt(max(- log(clamp(lengths, vec3(0.00100000004749745), vec3(1.0))), _S5));
+    vec3 sine_0 = sqrt(max(1.0 - cos_theta * cos_theta, _S5));
+    return vec3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x * sine_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y * sine_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z * sine_0.z));
 }
 
-vec3 skin_direct_scalar(sampler2D lut_1, vec4 lut_axes_1, mat3x3 normals_2, vec3 light_1, float curvature_per_mm_1, vec3 gain_0)
+vec3 skin_direct_scalar(sampler2D lut, vec4 lut_axes, mat3x3 normals, vec3 light, float curvature_per_mm, vec3 gain)
 {
-    vec3 lengths_2 = skin_lengths(normals_2);
-    vec3 cos_theta_2 = skin_cosines(normals_2, light_1, lengths_2);
-    return gain_0 * (lengths_2 * skin_curvature_table(lut_1, lut_axes_1, cos_theta_2, abs(curvature_per_mm_1)) + skin_lost_relief(lengths_2, cos_theta_2));
+    vec3 lengths_2 = skin_lengths(normals);
+    vec3 cos_theta_2 = skin_cosines(normals, light, lengths_2);
+    return gain * (lengths_2 * skin_curvature_table(lut, lut_axes, cos_theta_2, abs(curvature_per_mm)) + skin_lost_relief(lengths_2, cos_theta_2));
 }
 
-vec3 skin_transfer(sampler2D transfer_0, vec4 transfer_axes_0, float k_per_mm_0)
+vec3 skin_transfer(sampler2D transfer, vec4 transfer_axes, float k_per_mm)
 {
-    return (textureLod((transfer_0), (saturate_2((vec2(sqrt(max(k_per_mm_0, 0.0)), 0.5) - transfer_axes_0.xz) * transfer_axes_0.yw)), (0.0))).xyz;
+    return (textureLod((transfer), (skin_saturate_2((vec2(sqrt(max(k_per_mm, 0.0)), 0.5) - transfer_axes.xz) * transfer_axes.yw)), (0.0))).xyz;
 }
 
-vec3 skin_direct_tensor(sampler2D lut_2, vec4 lut_axes_2, sampler2D transfer_1, vec4 transfer_axes_1, mat3x3 normals_3, vec3 light_2, float directional_per_mm_0, float total_per_mm_0, vec3 gain_1)
+vec3 skin_direct_tensor(sampler2D lut, vec4 lut_axes, sampler2D transfer, vec4 transfer_axes, mat3x3 normals, vec3 light, float directional_per_mm, float total_per_mm, vec3 gain)
 {
-    vec3 lengths_3 = skin_lengths(normals_3);
-    vec3 cos_theta_3 = skin_cosines(normals_3, light_2, lengths_3);
-    return gain_1 * (lengths_3 * (skin_curvature_table(lut_2, lut_axes_2, cos_theta_3, directional_per_mm_0) * skin_transfer(transfer_1, transfer_axes_1, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0)))) + skin_lost_relief(lengths_3, cos_theta_3));
+    vec3 lengths_3 = skin_lengths(normals);
+    vec3 cos_theta_3 = skin_cosines(normals, light, lengths_3);
+    return gain * (lengths_3 * (skin_curvature_table(lut, lut_axes, cos_theta_3, directional_per_mm) * skin_transfer(transfer, transfer_axes, sqrt(max((total_per_mm - directional_per_mm) * (total_per_mm + directional_per_mm), 0.0)))) + skin_lost_relief(lengths_3, cos_theta_3));
 }
 
-vec3 skin_direct_diffused_normals(sampler2D lut_3, vec4 lut_axes_3, sampler2D transfer_2, vec4 transfer_axes_2, mat3x3 normals_4, vec3 relief_length_0, vec3 light_3, float directional_per_mm_1, vec3 gain_2)
+vec3 skin_direct_diffused_normals(sampler2D lut, vec4 lut_axes, sampler2D transfer, vec4 transfer_axes, mat3x3 normals, vec3 relief_length, vec3 light, float directional_per_mm, vec3 gain)
 {
-    vec3 lengths_4 = skin_lengths(normals_4);
-    vec3 cos_theta_4 = skin_cosines(normals_4, light_3, lengths_4);
-    return gain_2 * (skin_curvature_table(lut_3, lut_axes_3, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer(transfer_2, transfer_axes_2, directional_per_mm_1), vec3(9.99999997475242708e-07)), vec3(1.0)) + skin_lost_relief(relief_length_0, cos_theta_4));
+    vec3 lengths_4 = skin_lengths(normals);
+    vec3 cos_theta_4 = skin_cosines(normals, light, lengths_4);
+    return gain * (skin_curvature_table(lut, lut_axes, cos_theta_4, directional_per_mm) * min(lengths_4 / max(skin_transfer(transfer, transfer_axes, directional_per_mm), vec3(9.99999997475242708e-07)), vec3(1.0)) + skin_lost_relief(relief_length, cos_theta_4));
 }
 
-vec3 skin_unexplained_length(sampler2D transfer_3, vec4 transfer_axes_3, mat3x3 from_texture_2, mat3x3 from_mesh_2, float total_per_mm_1)
+vec3 skin_unexplained_length(sampler2D transfer, vec4 transfer_axes, mat3x3 from_texture, mat3x3 from_mesh, float total_per_mm)
 {
-    return skin_lengths(from_texture_2) * min(skin_lengths(from_mesh_2) / max(0.97500002384185791 * skin_transfer(transfer_3, transfer_axes_3, total_per_mm_1), vec3(9.99999997475242708e-07)), vec3(1.0));
+    return skin_lengths(from_texture) * min(skin_lengths(from_mesh) / max(0.97500002384185791 * skin_transfer(transfer, transfer_axes, total_per_mm), vec3(9.99999997475242708e-07)), vec3(1.0));
 }
 
-vec2 skin_directional_curvature(mat3x3 tensor_world_0, vec3 normal_0, vec3 light_4)
+vec2 skin_directional_curvature(mat3x3 tensor_world, vec3 normal, vec3 light)
 {
-    vec3 tangential_0 = light_4 - normal_0 * dot(light_4, normal_0);
-    vec3 turn_0 = vec3(dot(tensor_world_0[0], tangential_0), dot(tensor_world_0[1], tangential_0), dot(tensor_world_0[2], tangential_0));
-    float total_0 = sqrt(dot(tensor_world_0[0], tensor_world_0[0]) + dot(tensor_world_0[1], tensor_world_0[1]) + dot(tensor_world_0[2], tensor_world_0[2]));
+    vec3 tangential_0 = light - normal * dot(light, normal);
+    vec3 turn_0 = vec3(dot(tensor_world[0], tangential_0), dot(tensor_world[1], tangential_0), dot(tensor_world[2], tangential_0));
+    float total_0 = sqrt(dot(tensor_world[0], tensor_world[0]) + dot(tensor_world[1], tensor_world[1]) + dot(tensor_world[2], tensor_world[2]));
     return vec2(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13)), total_0), total_0);
 }
 
-vec3 skin_energy_gain(vec3 albedo_0, vec3 rms_radius_mm_0, vec3 curvature_per_mm_2)
+vec3 skin_energy_gain(vec3 albedo, vec3 rms_radius_mm, vec3 curvature_per_mm)
 {
-    vec3 absorbed_0 = 1.0 - albedo_0;
-    vec3 u_0 = 1.20000004768371582 * absorbed_0 * rms_radius_mm_0 * max(curvature_per_mm_2, vec3(0.0));
-    vec3 bound_0 = u_0 * albedo_0 / absorbed_0;
+    vec3 absorbed_0 = 1.0 - albedo;
+    vec3 u_0 = 1.20000004768371582 * absorbed_0 * rms_radius_mm * max(curvature_per_mm, vec3(0.0));
+    vec3 bound_0 = u_0 * albedo / absorbed_0;
     return 1.0 + u_0 / sqrt(1.0 + bound_0 * bound_0);
 }
 
-float skin_smoothstep(float p_0)
+float skin_smoothstep(float p)
 {
-    float q_0 = saturate_1(p_0);
+    float q_0 = skin_saturate_1(p);
     return q_0 * q_0 * (3.0 - 2.0 * q_0);
 }
 
-vec3 skin_diffused_shadow(sampler2D lut_4, vec4 lut_axes_4, float shadow_filter_0, float n_dot_l_0, float filter_width_mm_0)
+vec3 skin_diffused_shadow(sampler2D lut, vec4 lut_axes, float shadow_filter, float n_dot_l, float filter_width_mm)
 {
-    return (textureLod((lut_4), (saturate_2((vec2(shadow_filter_0, max(n_dot_l_0, 0.05000000074505806) / filter_width_mm_0) - lut_axes_4.xz) * lut_axes_4.yw)), (0.0))).xyz;
+    return (textureLod((lut), (skin_saturate_2((vec2(shadow_filter, max(n_dot_l, 0.05000000074505806) / filter_width_mm) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz;
 }
 
-float skin_sharpened_shadow(float shadow_filter_1, float sharpening_0)
+float skin_sharpened_shadow(float shadow_filter, float sharpening)
 {
-    return skin_smoothstep((0.5 - sin(asin(1.0 - 2.0 * saturate_1(shadow_filter_1)) / 3.0) - 0.5) * sharpening_0 + 0.5);
+    return skin_smoothstep((0.5 - sin(asin(1.0 - 2.0 * skin_saturate_1(shadow_filter)) / 3.0) - 0.5) * sharpening + 0.5);
 }
 
-float skin_variance_shadow(float mean_depth_mm_0, float mean_square_depth_mm2_0, float depth_mm_0)
+float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
 {
-    float _S6 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258);
-    float _S7 = max(depth_mm_0 - mean_depth_mm_0, 0.0);
+    float _S6 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258);
+    float _S7 = max(depth_mm - mean_depth_mm, 0.0);
     return _S6 / (_S6 + _S7 * _S7);
 }
 
-vec3 skin_sh_bands(mat3x3 sh_0, vec3 d_0)
+vec3 skin_sh_bands(mat3x3 sh, vec3 d)
 {
-    float _S8 = d_0.y;
-    float _S9 = d_0.z;
-    float _S10 = d_0.x;
-    return vec3(0.282094806432724 * sh_0[0].x, 0.48860251903533936 * (sh_0[0].y * _S8 + sh_0[0].z * _S9 + sh_0[1].x * _S10), 1.09254848957061768 * (sh_0[1].y * _S10 * _S8 + sh_0[1].z * _S8 * _S9 + sh_0[2].y * _S10 * _S9) + 0.31539157032966614 * sh_0[2].x * (3.0 * _S9 * _S9 - 1.0) + 0.54627424478530884 * sh_0[2].z * (_S10 * _S10 - _S8 * _S8));
+    float _S8 = d.y;
+    float _S9 = d.z;
+    float _S10 = d.x;
+    return vec3(0.282094806432724 * sh[0].x, 0.48860251903533936 * (sh[0].y * _S8 + sh[0].z * _S9 + sh[1].x * _S10), 1.09254848957061768 * (sh[1].y * _S10 * _S8 + sh[1].z * _S8 * _S9 + sh[2].y * _S10 * _S9) + 0.31539157032966614 * sh[2].x * (3.0 * _S9 * _S9 - 1.0) + 0.54627424478530884 * sh[2].z * (_S10 * _S10 - _S8 * _S8));
 }
 
-float skin_ambient_channel(mat3x3 sh_1, vec3 normal_1, vec3 band_transfer_0)
+float skin_ambient_channel(mat3x3 sh, vec3 normal, vec3 band_transfer)
 {
-    float l_0 = skin_safe_length(normal_1);
-    return max(dot(skin_sh_bands(sh_1, normal_1 / l_0), vec3(1.0, l_0, l_0 * l_0 * l_0) * band_transfer_0 * vec3(1.0, 0.66666668653488159, 0.25)), 0.0);
+    float l_0 = skin_safe_length(normal);
+    return max(dot(skin_sh_bands(sh, normal / l_0), vec3(1.0, l_0, l_0 * l_0 * l_0) * band_transfer * vec3(1.0, 0.66666668653488159, 0.25)), 0.0);
 }
 
-vec3 skin_ambient_irradiance(mat3x3 radiance_sh_red_0, mat3x3 radiance_sh_green_0, mat3x3 radiance_sh_blue_0, mat3x3 normals_5, mat3x3 band_transfer_1)
+vec3 skin_ambient_irradiance(mat3x3 radiance_sh_red, mat3x3 radiance_sh_green, mat3x3 radiance_sh_blue, mat3x3 normals, mat3x3 band_transfer)
 {
-    mat3x3 t_0 = transpose(band_transfer_1);
-    return vec3(skin_ambient_channel(radiance_sh_red_0, normals_5[0], t_0[0]), skin_ambient_channel(radiance_sh_green_0, normals_5[1], t_0[1]), skin_ambient_channel(radiance_sh_blue_0, normals_5[2], t_0[2]));
+    mat3x3 t_0 = transpose(band_transfer);
+    return vec3(skin_ambient_channel(radiance_sh_red, normals[0], t_0[0]), skin_ambient_channel(radiance_sh_green, normals[1], t_0[1]), skin_ambient_channel(radiance_sh_blue, normals[2], t_0[2]));
 }
 
-vec3 skin_unit_vectors(vec3 v_1)
+vec3 skin_unit_vectors(vec3 v)
 {
-    return v_1 / skin_safe_length(v_1);
+    return v / skin_safe_length(v);
 }
 
-mat3x3 skin_ambient_normals(mat3x3 normals_6)
+mat3x3 skin_ambient_normals(mat3x3 normals)
 {
-    return mat3x3(skin_unit_vectors(normals_6[0]), skin_unit_vectors(normals_6[1]), skin_unit_vectors(normals_6[2]));
+    return mat3x3(skin_unit_vectors(normals[0]), skin_unit_vectors(normals[1]), skin_unit_vectors(normals[2]));
 }
 
-vec3 skin_ambient_of_three(vec3 red_0, vec3 green_0, vec3 blue_0)
+vec3 skin_ambient_of_three(vec3 red, vec3 green, vec3 blue)
 {
-    return vec3(red_0.x, green_0.y, blue_0.z);
+    return vec3(red.x, green.y, blue.z);
 }
 
-vec3 skin_bounced_visibility(vec3 visibility_0, vec3 albedo_1)
+vec3 skin_bounced_visibility(vec3 visibility, vec3 albedo)
 {
-    return max(visibility_0, ((visibility_0 * (2.04040002822875977 * albedo_1 - 0.33239999413490295) + (-4.79510021209716797 * albedo_1 + 0.64170002937316895)) * visibility_0 + (2.75519990921020508 * albedo_1 + 0.69029998779296875)) * visibility_0);
+    return max(visibility, ((visibility * (2.04040002822875977 * albedo - 0.33239999413490295) + (-4.79510021209716797 * albedo + 0.64170002937316895)) * visibility + (2.75519990921020508 * albedo + 0.69029998779296875)) * visibility);
 }
 
-float skin_specular_visibility(float n_dot_v_0, float visibility_1, float roughness_0)
+float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
 {
-    float exponent_0 = (exp2((-16.0 * roughness_0 - 1.0)));
-    float base_0 = n_dot_v_0 + visibility_1;
+    float exponent_0 = (exp2((-16.0 * roughness - 1.0)));
+    float base_0 = n_dot_v + visibility;
     float open_0;
     if(base_0 > 0.0)
     {
@@ -202,26 +202,26 @@ float skin_specular_visibility(float n_dot_v_0, float visibility_1, float roughn
     {
         open_0 = 0.0;
     }
-    return saturate_1(open_0 - 1.0 + visibility_1);
+    return skin_saturate_1(open_0 - 1.0 + visibility);
 }
 
-float skin_linear_depth(float depth_0, mat4x4 projection_0)
+float skin_linear_depth(float depth, mat4x4 projection)
 {
-    return abs((depth_0 * projection_0[3][3] - projection_0[2][3]) / (projection_0[2][2] - depth_0 * projection_0[3][2]));
+    return abs((depth * projection[3][3] - projection[2][3]) / (projection[2][2] - depth * projection[3][2]));
 }
 
-vec3 skin_inward_offset(vec3 position_mm_0, vec3 normal_2, float offset_mm_0)
+vec3 skin_inward_offset(vec3 position_mm, vec3 normal, float offset_mm)
 {
-    return position_mm_0 - normal_2 * offset_mm_0;
+    return position_mm - normal * offset_mm;
 }
 
-float skin_thickness(sampler2D depth_map_0, mat4x4 projection_1, vec2 uv_0, float receiver_mm_0, vec2 radius_uv_0, int taps_0)
+float skin_thickness(sampler2D depth_map, mat4x4 projection, vec2 uv, float receiver_mm, vec2 radius_uv, int taps)
 {
     int tap_0 = 0;
     float total_1 = 0.0;
     for(;;)
     {
-        if(tap_0 < taps_0)
+        if(tap_0 < taps)
         {
         }
         else
@@ -229,106 +229,106 @@ float skin_thickness(sampler2D depth_map_0, mat4x4 projection_1, vec2 uv_0, floa
             break;
         }
         vec2 place_0;
-        if(taps_0 == 8)
+        if(taps == 8)
         {
-            place_0 = SKIN_POISSON_8_0[min(tap_0, 7)];
+            place_0 = SKIN_POISSON_8[min(tap_0, 7)];
         }
         else
         {
-            place_0 = SKIN_POISSON_32_0[min(tap_0, 31)];
+            place_0 = SKIN_POISSON_32[min(tap_0, 31)];
         }
-        float total_2 = total_1 + max(receiver_mm_0 - skin_linear_depth((textureLod((depth_map_0), (uv_0 + place_0 * radius_uv_0), (0.0))).x, projection_1), 0.0);
+        float total_2 = total_1 + max(receiver_mm - skin_linear_depth((textureLod((depth_map), (uv + place_0 * radius_uv), (0.0))).x, projection), 0.0);
         tap_0 = tap_0 + 1;
         total_1 = total_2;
     }
-    return total_1 / float(max(taps_0, 1));
+    return total_1 / float(max(taps, 1));
 }
 
-vec3 skin_transmittance(float thickness_mm_0, vec3 albedo_2, vec3 sigma_per_mm_0)
+vec3 skin_transmittance(float thickness_mm, vec3 albedo, vec3 sigma_per_mm)
 {
-    vec3 a2_0 = albedo_2 * albedo_2;
-    vec3 _S11 = 2.0 * albedo_2;
+    vec3 a2_0 = albedo * albedo;
+    vec3 _S11 = 2.0 * albedo;
     vec3 a_0 = (1.0 + a2_0) / _S11;
     vec3 b_0 = (1.0 - a2_0) / _S11;
-    vec3 decay_0 = exp(- sigma_per_mm_0 * thickness_mm_0);
+    vec3 decay_0 = exp(- sigma_per_mm * thickness_mm);
     return 2.0 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
 }
 
-float skin_classic_transmittance(float thickness_mm_1, float radius_mm_0)
+float skin_classic_transmittance(float thickness_mm, float radius_mm)
 {
-    float t_1 = thickness_mm_1 / radius_mm_0;
+    float t_1 = thickness_mm / radius_mm;
     return exp(-0.5 * t_1 * t_1);
 }
 
-vec3 skin_direct_deep_scatter(vec3 transmitted_0, float n_dot_l_1, float strength_0)
+vec3 skin_direct_deep_scatter(vec3 transmitted, float n_dot_l, float strength)
 {
-    return strength_0 * transmitted_0 * max(- n_dot_l_1, 0.0);
+    return strength * transmitted * max(- n_dot_l, 0.0);
 }
 
-vec3 skin_ambient_deep_scatter(vec3 transmitted_1, vec3 irradiance_behind_0, float strength_1)
+vec3 skin_ambient_deep_scatter(vec3 transmitted, vec3 irradiance_behind, float strength)
 {
-    return strength_1 * transmitted_1 * irradiance_behind_0;
+    return strength * transmitted * irradiance_behind;
 }
 
-float skin_specular_power(float gloss_0)
+float skin_specular_power(float gloss)
 {
-    return (exp2((13.0 * gloss_0)));
+    return (exp2((13.0 * gloss)));
 }
 
-float skin_gloss_of_relief(float gloss_1, float normal_length_0)
+float skin_gloss_of_relief(float gloss, float normal_length)
 {
-    float l_1 = clamp(normal_length_0, 0.00100000004749745, 1.0);
-    float power_0 = skin_specular_power(gloss_1);
+    float l_1 = clamp(normal_length, 0.00100000004749745, 1.0);
+    float power_0 = skin_specular_power(gloss);
     return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0 - l_1)), 1.0)) / 13.0;
 }
 
-float skin_gloss_from_roughness(float roughness_1)
+float skin_gloss_from_roughness(float roughness)
 {
-    float _S12 = max(roughness_1, 0.00100000004749745);
+    float _S12 = max(roughness, 0.00100000004749745);
     float r2_0 = _S12 * _S12;
     return clamp(log2(max(2.0 / (r2_0 * r2_0) - 2.0, 1.0)) / 13.0, 0.0, 1.0);
 }
 
-float skin_lobe(float n_dot_h_0, float n_dot_l_2, float n_dot_v_1, float power_1)
+float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
-    float k_0 = (inversesqrt((3.14159274101257324 * power_1 / 4.0 + 1.57079637050628662)));
+    float k_0 = (inversesqrt((3.14159274101257324 * power / 4.0 + 1.57079637050628662)));
     float _S13 = 1.0 - k_0;
-    return (power_1 + 2.0) / 6.28318548202514648 * pow(max(n_dot_h_0, 9.99999971718068537e-10), power_1) * (0.25 / ((k_0 + _S13 * n_dot_l_2) * (k_0 + _S13 * n_dot_v_1)));
+    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S13 * n_dot_l) * (k_0 + _S13 * n_dot_v)));
 }
 
-float skin_specular(vec3 normal_3, vec3 view_0, vec3 light_5, float gloss_2, float reflectance_0)
+float skin_specular(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
 {
-    vec3 half_vector_0 = skin_unit_vectors(view_0 + light_5);
-    float n_dot_l_3 = saturate_1(dot(normal_3, light_5));
-    float n_dot_v_2 = clamp(dot(normal_3, view_0), 0.00009999999747379, 1.0);
-    float n_dot_h_1 = saturate_1(dot(normal_3, half_vector_0));
-    float wide_0 = skin_specular_power(gloss_2);
-    float away_0 = 1.0 - saturate_1(dot(view_0, half_vector_0));
+    vec3 half_vector_0 = skin_unit_vectors(view + light);
+    float n_dot_l_3 = skin_saturate_1(dot(normal, light));
+    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379, 1.0);
+    float n_dot_h_1 = skin_saturate_1(dot(normal, half_vector_0));
+    float wide_0 = skin_specular_power(gloss);
+    float away_0 = 1.0 - skin_saturate_1(dot(view, half_vector_0));
     float away2_0 = away_0 * away_0;
-    return 3.14159274101257324 * (0.94999998807907104 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0))) * (reflectance_0 + (1.0 - reflectance_0) * away2_0 * away2_0 * away_0) * n_dot_l_3;
+    return 3.14159274101257324 * (0.94999998807907104 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0))) * (reflectance + (1.0 - reflectance) * away2_0 * away2_0 * away_0) * n_dot_l_3;
 }
 
-vec3 skin_reflected(vec3 normal_4, vec3 view_1)
+vec3 skin_reflected(vec3 normal, vec3 view)
 {
-    return 2.0 * dot(normal_4, view_1) * normal_4 - view_1;
+    return 2.0 * dot(normal, view) * normal - view;
 }
 
-float skin_ambient_specular_fresnel(float n_dot_v_3, float gloss_3, float reflectance_1)
+float skin_ambient_specular_fresnel(float n_dot_v, float gloss, float reflectance)
 {
-    float away_1 = 1.0 - saturate_1(n_dot_v_3);
+    float away_1 = 1.0 - skin_saturate_1(n_dot_v);
     float away2_1 = away_1 * away_1;
-    return reflectance_1 + (1.0 - reflectance_1) * away2_1 * away2_1 * away_1 / (4.0 - 3.0 * gloss_3);
+    return reflectance + (1.0 - reflectance) * away2_1 * away2_1 * away_1 / (4.0 - 3.0 * gloss);
 }
 
-float skin_diffuse_share(float n_dot_v_4, float gloss_4, float reflectance_2)
+float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
 {
-    return 1.0 - skin_ambient_specular_fresnel(n_dot_v_4, gloss_4, reflectance_2);
+    return 1.0 - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
-vec2 skin_equirectangular_uv(vec3 direction_0)
+vec2 skin_equirectangular_uv(vec3 direction)
 {
-    float _S14 = direction_0.x;
-    float _S15 = direction_0.z;
+    float _S14 = direction.x;
+    float _S15 = direction.z;
     float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
     float x_3;
     if(level_0 > 0.0)
@@ -339,101 +339,101 @@ vec2 skin_equirectangular_uv(vec3 direction_0)
     {
         x_3 = 1.0;
     }
-    return vec2(0.5 + (atan((_S15),(x_3))) / 6.28318548202514648, (atan((level_0),(direction_0.y))) / 3.14159274101257324);
+    return vec2(0.5 + (atan((_S15),(x_3))) / 6.28318548202514648, (atan((level_0),(direction.y))) / 3.14159274101257324);
 }
 
-float skin_reflection_level(float power_2)
+float skin_reflection_level(float power)
 {
-    return clamp(0.5 * log2(max(power_2, 1.0)), 0.0, 4.0);
+    return clamp(0.5 * log2(max(power, 1.0)), 0.0, 4.0);
 }
 
-vec3 skin_preconvolved(sampler2D preconvolved_0, vec2 uv_1, float power_3)
+vec3 skin_preconvolved(sampler2D preconvolved, vec2 uv, float power)
 {
-    float level_1 = skin_reflection_level(power_3);
+    float level_1 = skin_reflection_level(power);
     float _S16 = min(floor(level_1), 3.0);
-    float row_1 = clamp(uv_1.y, 0.0078125, 0.9921875);
-    float _S17 = uv_1.x;
-    return mix((textureLod((preconvolved_0), (vec2(_S17, (_S16 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved_0), (vec2(_S17, (_S16 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_1 - _S16));
+    float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
+    float _S17 = uv.x;
+    return mix((textureLod((preconvolved), (vec2(_S17, (_S16 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S17, (_S16 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_1 - _S16));
 }
 
-vec3 skin_reflected_radiance(sampler2D preconvolved_1, vec3 direction_1, float gloss_5)
+vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss)
 {
-    vec2 uv_2 = skin_equirectangular_uv(direction_1);
-    float power_4 = skin_specular_power(gloss_5);
-    return mix(skin_preconvolved(preconvolved_1, uv_2, power_4 / 4.0), skin_preconvolved(preconvolved_1, uv_2, power_4 * power_4 / 4.0), vec3(0.05000000074505806));
+    vec2 uv_2 = skin_equirectangular_uv(direction);
+    float power_4 = skin_specular_power(gloss);
+    return mix(skin_preconvolved(preconvolved, uv_2, power_4 / 4.0), skin_preconvolved(preconvolved, uv_2, power_4 * power_4 / 4.0), vec3(0.05000000074505806));
 }
 
-vec3 skin_filmic(vec3 light_6)
+vec3 skin_filmic(vec3 light)
 {
-    vec3 x_4 = max(light_6 - 0.00400000018998981, vec3(0.0));
+    vec3 x_4 = max(light - 0.00400000018998981, vec3(0.0));
     vec3 _S18 = 6.19999980926513672 * x_4;
     return x_4 * (_S18 + 0.5) / (x_4 * (_S18 + 1.70000004768371582) + 0.05999999865889549);
 }
 
-float skin_srgb_curve(float x_5)
+float skin_srgb_curve(float x)
 {
     float _S19;
-    if(x_5 <= 0.00313080009073019)
+    if(x <= 0.00313080009073019)
     {
-        _S19 = 12.92000007629394531 * x_5;
+        _S19 = 12.92000007629394531 * x;
     }
     else
     {
-        _S19 = 1.0549999475479126 * pow(max(x_5, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        _S19 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
     }
     return _S19;
 }
 
-vec3 skin_srgb_from_linear(vec3 light_7)
+vec3 skin_srgb_from_linear(vec3 light)
 {
-    vec3 x_6 = saturate_0(light_7);
+    vec3 x_6 = skin_saturate_0(light);
     return vec3(skin_srgb_curve(x_6.x), skin_srgb_curve(x_6.y), skin_srgb_curve(x_6.z));
 }
 
-float skin_linear_curve(float x_7)
+float skin_linear_curve(float x)
 {
     float _S20;
-    if(x_7 <= 0.04044999927282333)
+    if(x <= 0.04044999927282333)
     {
-        _S20 = x_7 / 12.92000007629394531;
+        _S20 = x / 12.92000007629394531;
     }
     else
     {
-        _S20 = pow((x_7 + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S20 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
     return _S20;
 }
 
-vec3 skin_linear_from_srgb(vec3 display_0)
+vec3 skin_linear_from_srgb(vec3 display)
 {
-    vec3 x_8 = saturate_0(display_0);
+    vec3 x_8 = skin_saturate_0(display);
     return vec3(skin_linear_curve(x_8.x), skin_linear_curve(x_8.y), skin_linear_curve(x_8.z));
 }
 
-float skin_classic_blur_level(float radius_mm_1, float uv_scale_mm_1, float map_size_1, float hardware_level_1)
+float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size, float hardware_level)
 {
-    return max(hardware_level_1, log2(max(map_size_1 * radius_mm_1, uv_scale_mm_1) / uv_scale_mm_1));
+    return max(hardware_level, log2(max(map_size * radius_mm, uv_scale_mm) / uv_scale_mm));
 }
 
-vec3 skin_classic_direct(sampler2D lut_5, vec4 lut_axes_5, vec3 sharp_0, vec3 blurred_0, vec3 light_8, float curvature_per_mm_3)
+vec3 skin_classic_direct(sampler2D lut, vec4 lut_axes, vec3 sharp, vec3 blurred, vec3 light, float curvature_per_mm)
 {
-    float blurred_cosine_0 = dot(blurred_0, light_8);
-    float k_1 = saturate_1(1.0 - blurred_cosine_0);
+    float blurred_cosine_0 = dot(blurred, light);
+    float k_1 = skin_saturate_1(1.0 - blurred_cosine_0);
     float k_2 = k_1 * k_1;
-    return saturate_0(saturate_0(vec3(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp_0, blurred_0, vec3(0.30000001192092896 + 0.69999998807907104 * k_2))), light_8), dot(skin_unit_vectors(mix(sharp_0, blurred_0, vec3(k_2))), light_8))) + ((textureLod((lut_5), (saturate_2((vec2(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0))).xyz - max(blurred_cosine_0, 0.0)));
+    return skin_saturate_0(skin_saturate_0(vec3(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp, blurred, vec3(0.30000001192092896 + 0.69999998807907104 * k_2))), light), dot(skin_unit_vectors(mix(sharp, blurred, vec3(k_2))), light))) + ((textureLod((lut), (skin_saturate_2((vec2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz - max(blurred_cosine_0, 0.0)));
 }
 
-mat3x3 skin_classic_ambient_normals(vec3 sharp_1, vec3 blurred_1)
+mat3x3 skin_classic_ambient_normals(vec3 sharp, vec3 blurred)
 {
-    return mat3x3(blurred_1, skin_unit_vectors(mix(sharp_1, blurred_1, vec3(0.30000001192092896))), sharp_1);
+    return mat3x3(blurred, skin_unit_vectors(mix(sharp, blurred, vec3(0.30000001192092896))), sharp);
 }
 
-float skin_classic_sharpened_shadow(float shadow_filter_2, float sharpening_1)
+float skin_classic_sharpened_shadow(float shadow_filter, float sharpening)
 {
-    return skin_smoothstep(0.89999997615814209 * sharpening_1 * (shadow_filter_2 - 0.5) + 0.5);
+    return skin_smoothstep(0.89999997615814209 * sharpening * (shadow_filter - 0.5) + 0.5);
 }
 
-float skin_classic_deep_scatter(float thickness_mm_2, float n_dot_l_4, float radius_mm_2, float strength_2)
+float skin_classic_deep_scatter(float thickness_mm, float n_dot_l, float radius_mm, float strength)
 {
-    return strength_2 * skin_classic_transmittance(thickness_mm_2, radius_mm_2) * max(0.30000001192092896 - n_dot_l_4, 0.0);
+    return strength * skin_classic_transmittance(thickness_mm, radius_mm) * max(0.30000001192092896 - n_dot_l, 0.0);
 }

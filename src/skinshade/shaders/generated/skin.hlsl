@@ -1,184 +1,184 @@
 // The skinshade library, generated from shaders/skin by `python -m skinshade.codegen`.
-static const float2  SKIN_POISSON_32_0[int(32)] = { float2(-0.02096010930836201f, 0.01299272011965513f), float2(0.69517123699188232f, -0.04910685122013092f), float2(0.28034570813179016f, 0.66283899545669556f), float2(0.03107489086687565f, -0.69704329967498779f), float2(-0.49904009699821472f, 0.54098159074783325f), float2(-0.70408397912979126f, -0.14709833264350891f), float2(0.53451526165008545f, -0.56702268123626709f), float2(-0.48678380250930786f, -0.61486828327178955f), float2(0.68837428092956543f, 0.41418349742889404f), float2(-0.14107078313827515f, 0.8102262020111084f), float2(0.21897397935390472f, -0.3123532235622406f), float2(0.31406453251838684f, 0.24951401352882385f), float2(-0.83115619421005249f, 0.28457203507423401f), float2(-0.40699386596679688f, 0.14198443293571472f), float2(-0.10747358947992325f, 0.41360348463058472f), float2(-0.19334819912910461f, -0.34689420461654663f), float2(0.80768358707427979f, -0.37000563740730286f), float2(0.33436411619186401f, -0.82407790422439575f), float2(-0.79105347394943237f, -0.45378401875495911f), float2(-0.23485180735588074f, -0.86940687894821167f), float2(0.37255629897117615f, -0.05855973064899445f), float2(0.5726354718208313f, 0.72984015941619873f), float2(0.8966706395149231f, 0.17047682404518127f), float2(-0.43273070454597473f, 0.81860679388046265f), float2(0.1212853416800499f, 0.92984902858734131f), float2(-0.42749753594398499f, -0.15111121535301208f), float2(-0.94129812717437744f, 0.00735718011856079f), float2(0.52211439609527588f, -0.28702935576438904f), float2(-0.79033631086349487f, 0.5402228832244873f), float2(-0.23410981893539429f, -0.59940856695175171f), float2(0.28244560956954956f, -0.563071608543396f), float2(0.57051312923431396f, 0.18359191715717316f) };
-static const float2  SKIN_POISSON_8_0[int(8)] = { float2(-0.16089901328086853f, -0.04573699831962585f), float2(-0.89243310689926147f, 0.18877510726451874f), float2(-0.17830690741539001f, 0.7200586199760437f), float2(-0.53433239459991455f, -0.70478206872940063f), float2(0.22474820911884308f, -0.69165337085723877f), float2(0.5559992790222168f, 0.1985180526971817f), float2(0.64686292409896851f, -0.3364911675453186f), float2(0.33836102485656738f, 0.67131179571151733f) };
+static const float2  SKIN_POISSON_32[int(32)] = { float2(-0.02096010930836201f, 0.01299272011965513f), float2(0.69517123699188232f, -0.04910685122013092f), float2(0.28034570813179016f, 0.66283899545669556f), float2(0.03107489086687565f, -0.69704329967498779f), float2(-0.49904009699821472f, 0.54098159074783325f), float2(-0.70408397912979126f, -0.14709833264350891f), float2(0.53451526165008545f, -0.56702268123626709f), float2(-0.48678380250930786f, -0.61486828327178955f), float2(0.68837428092956543f, 0.41418349742889404f), float2(-0.14107078313827515f, 0.8102262020111084f), float2(0.21897397935390472f, -0.3123532235622406f), float2(0.31406453251838684f, 0.24951401352882385f), float2(-0.83115619421005249f, 0.28457203507423401f), float2(-0.40699386596679688f, 0.14198443293571472f), float2(-0.10747358947992325f, 0.41360348463058472f), float2(-0.19334819912910461f, -0.34689420461654663f), float2(0.80768358707427979f, -0.37000563740730286f), float2(0.33436411619186401f, -0.82407790422439575f), float2(-0.79105347394943237f, -0.45378401875495911f), float2(-0.23485180735588074f, -0.86940687894821167f), float2(0.37255629897117615f, -0.05855973064899445f), float2(0.5726354718208313f, 0.72984015941619873f), float2(0.8966706395149231f, 0.17047682404518127f), float2(-0.43273070454597473f, 0.81860679388046265f), float2(0.1212853416800499f, 0.92984902858734131f), float2(-0.42749753594398499f, -0.15111121535301208f), float2(-0.94129812717437744f, 0.00735718011856079f), float2(0.52211439609527588f, -0.28702935576438904f), float2(-0.79033631086349487f, 0.5402228832244873f), float2(-0.23410981893539429f, -0.59940856695175171f), float2(0.28244560956954956f, -0.563071608543396f), float2(0.57051312923431396f, 0.18359191715717316f) };
+static const float2  SKIN_POISSON_8[int(8)] = { float2(-0.16089901328086853f, -0.04573699831962585f), float2(-0.89243310689926147f, 0.18877510726451874f), float2(-0.17830690741539001f, 0.7200586199760437f), float2(-0.53433239459991455f, -0.70478206872940063f), float2(0.22474820911884308f, -0.69165337085723877f), float2(0.5559992790222168f, 0.1985180526971817f), float2(0.64686292409896851f, -0.3364911675453186f), float2(0.33836102485656738f, 0.67131179571151733f) };
 
-float skin_blur_level(float sigma_mm_0, float uv_scale_mm_0, float map_size_0, float hardware_level_0)
+float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float hardware_level)
 {
-    return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_0 / uv_scale_mm_0, 1.0f)));
+    return max(hardware_level, log2(max(2.0f * sigma_mm * map_size / uv_scale_mm, 1.0f)));
 }
 
-float3 skin_weighted(float3x3 rows_0, float3 weights_0)
+float3 skin_weighted(float3x3 rows, float3 weights)
 {
-    return weights_0.x * rows_0[int(0)] + weights_0.y * rows_0[int(1)] + weights_0.z * rows_0[int(2)];
+    return weights.x * rows[int(0)] + weights.y * rows[int(1)] + weights.z * rows[int(2)];
 }
 
-float3x3 skin_blend_normals(float3x3 fetched_0, float3x3 blend_0)
+float3x3 skin_blend_normals(float3x3 fetched, float3x3 blend)
 {
-    return float3x3(skin_weighted(fetched_0, blend_0[int(0)]), skin_weighted(fetched_0, blend_0[int(1)]), skin_weighted(fetched_0, blend_0[int(2)]));
+    return float3x3(skin_weighted(fetched, blend[int(0)]), skin_weighted(fetched, blend[int(1)]), skin_weighted(fetched, blend[int(2)]));
 }
 
-float skin_safe_length(float3 v_0)
+float skin_safe_length(float3 v)
 {
-    return sqrt(max(dot(v_0, v_0), 1.00000004581370497e-18f));
+    return sqrt(max(dot(v, v), 1.00000004581370497e-18f));
 }
 
-float3 skin_displaced(float3 from_texture_0, float3 from_mesh_0, float3 mesh_normal_0)
+float3 skin_displaced(float3 from_texture, float3 from_mesh, float3 mesh_normal)
 {
-    return from_texture_0 + skin_safe_length(from_texture_0) * (from_mesh_0 - mesh_normal_0);
+    return from_texture + skin_safe_length(from_texture) * (from_mesh - mesh_normal);
 }
 
-float3x3 skin_add_mesh_diffusion(float3x3 from_texture_1, float3x3 from_mesh_1, float3 mesh_normal_1)
+float3x3 skin_add_mesh_diffusion(float3x3 from_texture, float3x3 from_mesh, float3 mesh_normal)
 {
-    return float3x3(skin_displaced(from_texture_1[int(0)], from_mesh_1[int(0)], mesh_normal_1), skin_displaced(from_texture_1[int(1)], from_mesh_1[int(1)], mesh_normal_1), skin_displaced(from_texture_1[int(2)], from_mesh_1[int(2)], mesh_normal_1));
+    return float3x3(skin_displaced(from_texture[int(0)], from_mesh[int(0)], mesh_normal), skin_displaced(from_texture[int(1)], from_mesh[int(1)], mesh_normal), skin_displaced(from_texture[int(2)], from_mesh[int(2)], mesh_normal));
 }
 
-float skin_relief_bump(float m_0, float s_0)
+float skin_relief_bump(float m, float s)
 {
-    float _S1 = max(s_0, 9.99999971718068537e-10f);
-    float _S2 = min(abs(m_0) / _S1, 8.0f);
+    float _S1 = max(s, 9.99999971718068537e-10f);
+    float _S2 = min(abs(m) / _S1, 8.0f);
     return _S1 * (0.39894229173660278f * exp(-0.5f * _S2 * _S2)) / (1.0f + _S2 * (1.25119507312774658f + _S2 * (0.58454132080078125f + _S2 * 0.06752368807792664f)));
 }
 
-float3 skin_lengths(float3x3 normals_0)
+float3 skin_lengths(float3x3 normals)
 {
-    return float3(skin_safe_length(normals_0[int(0)]), skin_safe_length(normals_0[int(1)]), skin_safe_length(normals_0[int(2)]));
+    return float3(skin_safe_length(normals[int(0)]), skin_safe_length(normals[int(1)]), skin_safe_length(normals[int(2)]));
 }
 
-float3 skin_cosines(float3x3 normals_1, float3 light_0, float3 lengths_0)
+float3 skin_cosines(float3x3 normals, float3 light, float3 lengths)
 {
-    return clamp(float3(dot(normals_1[int(0)], light_0), dot(normals_1[int(1)], light_0), dot(normals_1[int(2)], light_0)) / max(lengths_0, (float3)9.99999971718068537e-10f), (float3)-1.0f, (float3)1.0f);
+    return clamp(float3(dot(normals[int(0)], light), dot(normals[int(1)], light), dot(normals[int(2)], light)) / max(lengths, (float3)9.99999971718068537e-10f), (float3)-1.0f, (float3)1.0f);
 }
 
-float3 skin_curvature_table(Texture2D<float4 > lut_0, SamplerState lut_sampler_0, float4 lut_axes_0, float3 cos_theta_0, float curvature_per_mm_0)
+float3 skin_curvature_table(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3 cos_theta, float curvature_per_mm)
 {
-    float row_0 = sqrt(max(curvature_per_mm_0, 0.0f));
-    float2 _S3 = lut_axes_0.xz;
-    float2 _S4 = lut_axes_0.yw;
-    return float3(lut_0.SampleLevel(lut_sampler_0, saturate((float2(cos_theta_0.x, row_0) - _S3) * _S4), 0.0f).xyz.x, lut_0.SampleLevel(lut_sampler_0, saturate((float2(cos_theta_0.y, row_0) - _S3) * _S4), 0.0f).xyz.y, lut_0.SampleLevel(lut_sampler_0, saturate((float2(cos_theta_0.z, row_0) - _S3) * _S4), 0.0f).xyz.z);
+    float row_0 = sqrt(max(curvature_per_mm, 0.0f));
+    float2 _S3 = lut_axes.xz;
+    float2 _S4 = lut_axes.yw;
+    return float3(lut.SampleLevel(lut_sampler, saturate((float2(cos_theta.x, row_0) - _S3) * _S4), 0.0f).xyz.x, lut.SampleLevel(lut_sampler, saturate((float2(cos_theta.y, row_0) - _S3) * _S4), 0.0f).xyz.y, lut.SampleLevel(lut_sampler, saturate((float2(cos_theta.z, row_0) - _S3) * _S4), 0.0f).xyz.z);
 }
 
-float3 skin_lost_relief(float3 lengths_1, float3 cos_theta_1)
+float3 skin_lost_relief(float3 lengths, float3 cos_theta)
 {
     float3 _S5 = (float3)0.0f;
-    float3 slope_0 = sqrt(max(- log(clamp(lengths_1, (float3)0.00100000004749745f, (float3)1.0f)), _S5));
-    float3 sine_0 = sqrt(max(1.0f - cos_theta_1 * cos_theta_1, _S5));
-    return float3(skin_relief_bump(lengths_1.x * cos_theta_1.x, slope_0.x * sine_0.x), skin_relief_bump(lengths_1.y * cos_theta_1.y, slope_0.y * sine_0.y), skin_relief_bump(lengths_1.z * cos_theta_1.z, slope_0.z * sine_0.z));
+    float3 slope_0 = sqrt(max(- log(clamp(lengths, (float3)0.00100000004749745f, (float3)1.0f)), _S5));
+    float3 sine_0 = sqrt(max(1.0f - cos_theta * cos_theta, _S5));
+    return float3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x * sine_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y * sine_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z * sine_0.z));
 }
 
-float3 skin_direct_scalar(Texture2D<float4 > lut_1, SamplerState lut_sampler_1, float4 lut_axes_1, float3x3 normals_2, float3 light_1, float curvature_per_mm_1, float3 gain_0)
+float3 skin_direct_scalar(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3x3 normals, float3 light, float curvature_per_mm, float3 gain)
 {
-    float3 lengths_2 = skin_lengths(normals_2);
-    float3 cos_theta_2 = skin_cosines(normals_2, light_1, lengths_2);
-    return gain_0 * (lengths_2 * skin_curvature_table(lut_1, lut_sampler_1, lut_axes_1, cos_theta_2, abs(curvature_per_mm_1)) + skin_lost_relief(lengths_2, cos_theta_2));
+    float3 lengths_2 = skin_lengths(normals);
+    float3 cos_theta_2 = skin_cosines(normals, light, lengths_2);
+    return gain * (lengths_2 * skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_2, abs(curvature_per_mm)) + skin_lost_relief(lengths_2, cos_theta_2));
 }
 
-float3 skin_transfer(Texture2D<float4 > transfer_0, SamplerState transfer_sampler_0, float4 transfer_axes_0, float k_per_mm_0)
+float3 skin_transfer(Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float k_per_mm)
 {
-    return transfer_0.SampleLevel(transfer_sampler_0, saturate((float2(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_0.xz) * transfer_axes_0.yw), 0.0f).xyz;
+    return transfer.SampleLevel(transfer_sampler, saturate((float2(sqrt(max(k_per_mm, 0.0f)), 0.5f) - transfer_axes.xz) * transfer_axes.yw), 0.0f).xyz;
 }
 
-float3 skin_direct_tensor(Texture2D<float4 > lut_2, SamplerState lut_sampler_2, float4 lut_axes_2, Texture2D<float4 > transfer_1, SamplerState transfer_sampler_1, float4 transfer_axes_1, float3x3 normals_3, float3 light_2, float directional_per_mm_0, float total_per_mm_0, float3 gain_1)
+float3 skin_direct_tensor(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float3x3 normals, float3 light, float directional_per_mm, float total_per_mm, float3 gain)
 {
-    float3 lengths_3 = skin_lengths(normals_3);
-    float3 cos_theta_3 = skin_cosines(normals_3, light_2, lengths_3);
-    return gain_1 * (lengths_3 * (skin_curvature_table(lut_2, lut_sampler_2, lut_axes_2, cos_theta_3, directional_per_mm_0) * skin_transfer(transfer_1, transfer_sampler_1, transfer_axes_1, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief(lengths_3, cos_theta_3));
+    float3 lengths_3 = skin_lengths(normals);
+    float3 cos_theta_3 = skin_cosines(normals, light, lengths_3);
+    return gain * (lengths_3 * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_3, directional_per_mm) * skin_transfer(transfer, transfer_sampler, transfer_axes, sqrt(max((total_per_mm - directional_per_mm) * (total_per_mm + directional_per_mm), 0.0f)))) + skin_lost_relief(lengths_3, cos_theta_3));
 }
 
-float3 skin_direct_diffused_normals(Texture2D<float4 > lut_3, SamplerState lut_sampler_3, float4 lut_axes_3, Texture2D<float4 > transfer_2, SamplerState transfer_sampler_2, float4 transfer_axes_2, float3x3 normals_4, float3 relief_length_0, float3 light_3, float directional_per_mm_1, float3 gain_2)
+float3 skin_direct_diffused_normals(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float3x3 normals, float3 relief_length, float3 light, float directional_per_mm, float3 gain)
 {
-    float3 lengths_4 = skin_lengths(normals_4);
-    float3 cos_theta_4 = skin_cosines(normals_4, light_3, lengths_4);
-    return gain_2 * (skin_curvature_table(lut_3, lut_sampler_3, lut_axes_3, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer(transfer_2, transfer_sampler_2, transfer_axes_2, directional_per_mm_1), (float3)9.99999997475242708e-07f), (float3)1.0f) + skin_lost_relief(relief_length_0, cos_theta_4));
+    float3 lengths_4 = skin_lengths(normals);
+    float3 cos_theta_4 = skin_cosines(normals, light, lengths_4);
+    return gain * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_4, directional_per_mm) * min(lengths_4 / max(skin_transfer(transfer, transfer_sampler, transfer_axes, directional_per_mm), (float3)9.99999997475242708e-07f), (float3)1.0f) + skin_lost_relief(relief_length, cos_theta_4));
 }
 
-float3 skin_unexplained_length(Texture2D<float4 > transfer_3, SamplerState transfer_sampler_3, float4 transfer_axes_3, float3x3 from_texture_2, float3x3 from_mesh_2, float total_per_mm_1)
+float3 skin_unexplained_length(Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float3x3 from_texture, float3x3 from_mesh, float total_per_mm)
 {
-    return skin_lengths(from_texture_2) * min(skin_lengths(from_mesh_2) / max(0.97500002384185791f * skin_transfer(transfer_3, transfer_sampler_3, transfer_axes_3, total_per_mm_1), (float3)9.99999997475242708e-07f), (float3)1.0f);
+    return skin_lengths(from_texture) * min(skin_lengths(from_mesh) / max(0.97500002384185791f * skin_transfer(transfer, transfer_sampler, transfer_axes, total_per_mm), (float3)9.99999997475242708e-07f), (float3)1.0f);
 }
 
-float2 skin_directional_curvature(float3x3 tensor_world_0, float3 normal_0, float3 light_4)
+float2 skin_directional_curvature(float3x3 tensor_world, float3 normal, float3 light)
 {
-    float3 tangential_0 = light_4 - normal_0 * dot(light_4, normal_0);
-    float3 turn_0 = float3(dot(tensor_world_0[int(0)], tangential_0), dot(tensor_world_0[int(1)], tangential_0), dot(tensor_world_0[int(2)], tangential_0));
-    float total_0 = sqrt(dot(tensor_world_0[int(0)], tensor_world_0[int(0)]) + dot(tensor_world_0[int(1)], tensor_world_0[int(1)]) + dot(tensor_world_0[int(2)], tensor_world_0[int(2)]));
+    float3 tangential_0 = light - normal * dot(light, normal);
+    float3 turn_0 = float3(dot(tensor_world[int(0)], tangential_0), dot(tensor_world[int(1)], tangential_0), dot(tensor_world[int(2)], tangential_0));
+    float total_0 = sqrt(dot(tensor_world[int(0)], tensor_world[int(0)]) + dot(tensor_world[int(1)], tensor_world[int(1)]) + dot(tensor_world[int(2)], tensor_world[int(2)]));
     return float2(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
 }
 
-float3 skin_energy_gain(float3 albedo_0, float3 rms_radius_mm_0, float3 curvature_per_mm_2)
+float3 skin_energy_gain(float3 albedo, float3 rms_radius_mm, float3 curvature_per_mm)
 {
-    float3 absorbed_0 = 1.0f - albedo_0;
-    float3 u_0 = 1.20000004768371582f * absorbed_0 * rms_radius_mm_0 * max(curvature_per_mm_2, (float3)0.0f);
-    float3 bound_0 = u_0 * albedo_0 / absorbed_0;
+    float3 absorbed_0 = 1.0f - albedo;
+    float3 u_0 = 1.20000004768371582f * absorbed_0 * rms_radius_mm * max(curvature_per_mm, (float3)0.0f);
+    float3 bound_0 = u_0 * albedo / absorbed_0;
     return 1.0f + u_0 / sqrt(1.0f + bound_0 * bound_0);
 }
 
-float skin_smoothstep(float p_0)
+float skin_smoothstep(float p)
 {
-    float q_0 = saturate(p_0);
+    float q_0 = saturate(p);
     return q_0 * q_0 * (3.0f - 2.0f * q_0);
 }
 
-float3 skin_diffused_shadow(Texture2D<float4 > lut_4, SamplerState lut_sampler_4, float4 lut_axes_4, float shadow_filter_0, float n_dot_l_0, float filter_width_mm_0)
+float3 skin_diffused_shadow(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float shadow_filter, float n_dot_l, float filter_width_mm)
 {
-    return lut_4.SampleLevel(lut_sampler_4, saturate((float2(shadow_filter_0, max(n_dot_l_0, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_4.xz) * lut_axes_4.yw), 0.0f).xyz;
+    return lut.SampleLevel(lut_sampler, saturate((float2(shadow_filter, max(n_dot_l, 0.05000000074505806f) / filter_width_mm) - lut_axes.xz) * lut_axes.yw), 0.0f).xyz;
 }
 
-float skin_sharpened_shadow(float shadow_filter_1, float sharpening_0)
+float skin_sharpened_shadow(float shadow_filter, float sharpening)
 {
-    return skin_smoothstep((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
+    return skin_smoothstep((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter)) / 3.0f) - 0.5f) * sharpening + 0.5f);
 }
 
-float skin_variance_shadow(float mean_depth_mm_0, float mean_square_depth_mm2_0, float depth_mm_0)
+float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
 {
-    float _S6 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
-    float _S7 = max(depth_mm_0 - mean_depth_mm_0, 0.0f);
+    float _S6 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    float _S7 = max(depth_mm - mean_depth_mm, 0.0f);
     return _S6 / (_S6 + _S7 * _S7);
 }
 
-float3 skin_sh_bands(float3x3 sh_0, float3 d_0)
+float3 skin_sh_bands(float3x3 sh, float3 d)
 {
-    float _S8 = d_0.y;
-    float _S9 = d_0.z;
-    float _S10 = d_0.x;
-    return float3(0.282094806432724f * sh_0[int(0)].x, 0.48860251903533936f * (sh_0[int(0)].y * _S8 + sh_0[int(0)].z * _S9 + sh_0[int(1)].x * _S10), 1.09254848957061768f * (sh_0[int(1)].y * _S10 * _S8 + sh_0[int(1)].z * _S8 * _S9 + sh_0[int(2)].y * _S10 * _S9) + 0.31539157032966614f * sh_0[int(2)].x * (3.0f * _S9 * _S9 - 1.0f) + 0.54627424478530884f * sh_0[int(2)].z * (_S10 * _S10 - _S8 * _S8));
+    float _S8 = d.y;
+    float _S9 = d.z;
+    float _S10 = d.x;
+    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S8 + sh[int(0)].z * _S9 + sh[int(1)].x * _S10), 1.09254848957061768f * (sh[int(1)].y * _S10 * _S8 + sh[int(1)].z * _S8 * _S9 + sh[int(2)].y * _S10 * _S9) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S9 * _S9 - 1.0f) + 0.54627424478530884f * sh[int(2)].z * (_S10 * _S10 - _S8 * _S8));
 }
 
-float skin_ambient_channel(float3x3 sh_1, float3 normal_1, float3 band_transfer_0)
+float skin_ambient_channel(float3x3 sh, float3 normal, float3 band_transfer)
 {
-    float l_0 = skin_safe_length(normal_1);
-    return max(dot(skin_sh_bands(sh_1, normal_1 / l_0), float3(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer_0 * float3(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    float l_0 = skin_safe_length(normal);
+    return max(dot(skin_sh_bands(sh, normal / l_0), float3(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer * float3(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
-float3 skin_ambient_irradiance(float3x3 radiance_sh_red_0, float3x3 radiance_sh_green_0, float3x3 radiance_sh_blue_0, float3x3 normals_5, float3x3 band_transfer_1)
+float3 skin_ambient_irradiance(float3x3 radiance_sh_red, float3x3 radiance_sh_green, float3x3 radiance_sh_blue, float3x3 normals, float3x3 band_transfer)
 {
-    float3x3 t_0 = transpose(band_transfer_1);
-    return float3(skin_ambient_channel(radiance_sh_red_0, normals_5[int(0)], t_0[int(0)]), skin_ambient_channel(radiance_sh_green_0, normals_5[int(1)], t_0[int(1)]), skin_ambient_channel(radiance_sh_blue_0, normals_5[int(2)], t_0[int(2)]));
+    float3x3 t_0 = transpose(band_transfer);
+    return float3(skin_ambient_channel(radiance_sh_red, normals[int(0)], t_0[int(0)]), skin_ambient_channel(radiance_sh_green, normals[int(1)], t_0[int(1)]), skin_ambient_channel(radiance_sh_blue, normals[int(2)], t_0[int(2)]));
 }
 
-float3 skin_unit_vectors(float3 v_1)
+float3 skin_unit_vectors(float3 v)
 {
-    return v_1 / skin_safe_length(v_1);
+    return v / skin_safe_length(v);
 }
 
-float3x3 skin_ambient_normals(float3x3 normals_6)
+float3x3 skin_ambient_normals(float3x3 normals)
 {
-    return float3x3(skin_unit_vectors(normals_6[int(0)]), skin_unit_vectors(normals_6[int(1)]), skin_unit_vectors(normals_6[int(2)]));
+    return float3x3(skin_unit_vectors(normals[int(0)]), skin_unit_vectors(normals[int(1)]), skin_unit_vectors(normals[int(2)]));
 }
 
-float3 skin_ambient_of_three(float3 red_0, float3 green_0, float3 blue_0)
+float3 skin_ambient_of_three(float3 red, float3 green, float3 blue)
 {
-    return float3(red_0.x, green_0.y, blue_0.z);
+    return float3(red.x, green.y, blue.z);
 }
 
-float3 skin_bounced_visibility(float3 visibility_0, float3 albedo_1)
+float3 skin_bounced_visibility(float3 visibility, float3 albedo)
 {
-    return max(visibility_0, ((visibility_0 * (2.04040002822875977f * albedo_1 - 0.33239999413490295f) + (-4.79510021209716797f * albedo_1 + 0.64170002937316895f)) * visibility_0 + (2.75519990921020508f * albedo_1 + 0.69029998779296875f)) * visibility_0);
+    return max(visibility, ((visibility * (2.04040002822875977f * albedo - 0.33239999413490295f) + (-4.79510021209716797f * albedo + 0.64170002937316895f)) * visibility + (2.75519990921020508f * albedo + 0.69029998779296875f)) * visibility);
 }
 
-float skin_specular_visibility(float n_dot_v_0, float visibility_1, float roughness_0)
+float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
 {
-    float exponent_0 = (exp2((-16.0f * roughness_0 - 1.0f)));
-    float base_0 = n_dot_v_0 + visibility_1;
+    float exponent_0 = (exp2((-16.0f * roughness - 1.0f)));
+    float base_0 = n_dot_v + visibility;
     float open_0;
     if(base_0 > 0.0f)
     {
@@ -188,26 +188,26 @@ float skin_specular_visibility(float n_dot_v_0, float visibility_1, float roughn
     {
         open_0 = 0.0f;
     }
-    return saturate(open_0 - 1.0f + visibility_1);
+    return saturate(open_0 - 1.0f + visibility);
 }
 
-float skin_linear_depth(float depth_0, float4x4 projection_0)
+float skin_linear_depth(float depth, float4x4 projection)
 {
-    return abs((depth_0 * projection_0[int(3)][int(3)] - projection_0[int(2)][int(3)]) / (projection_0[int(2)][int(2)] - depth_0 * projection_0[int(3)][int(2)]));
+    return abs((depth * projection[int(3)][int(3)] - projection[int(2)][int(3)]) / (projection[int(2)][int(2)] - depth * projection[int(3)][int(2)]));
 }
 
-float3 skin_inward_offset(float3 position_mm_0, float3 normal_2, float offset_mm_0)
+float3 skin_inward_offset(float3 position_mm, float3 normal, float offset_mm)
 {
-    return position_mm_0 - normal_2 * offset_mm_0;
+    return position_mm - normal * offset_mm;
 }
 
-float skin_thickness(Texture2D<float4 > depth_map_0, SamplerState depth_map_sampler_0, float4x4 projection_1, float2 uv_0, float receiver_mm_0, float2 radius_uv_0, int taps_0)
+float skin_thickness(Texture2D<float4 > depth_map, SamplerState depth_map_sampler, float4x4 projection, float2 uv, float receiver_mm, float2 radius_uv, int taps)
 {
     int tap_0 = int(0);
     float total_1 = 0.0f;
     for(;;)
     {
-        if(tap_0 < taps_0)
+        if(tap_0 < taps)
         {
         }
         else
@@ -215,106 +215,106 @@ float skin_thickness(Texture2D<float4 > depth_map_0, SamplerState depth_map_samp
             break;
         }
         float2 place_0;
-        if(taps_0 == int(8))
+        if(taps == int(8))
         {
-            place_0 = SKIN_POISSON_8_0[min(tap_0, int(7))];
+            place_0 = SKIN_POISSON_8[min(tap_0, int(7))];
         }
         else
         {
-            place_0 = SKIN_POISSON_32_0[min(tap_0, int(31))];
+            place_0 = SKIN_POISSON_32[min(tap_0, int(31))];
         }
-        float total_2 = total_1 + max(receiver_mm_0 - skin_linear_depth(depth_map_0.SampleLevel(depth_map_sampler_0, uv_0 + place_0 * radius_uv_0, 0.0f).x, projection_1), 0.0f);
+        float total_2 = total_1 + max(receiver_mm - skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, uv + place_0 * radius_uv, 0.0f).x, projection), 0.0f);
         tap_0 = tap_0 + int(1);
         total_1 = total_2;
     }
-    return total_1 / float(max(taps_0, int(1)));
+    return total_1 / float(max(taps, int(1)));
 }
 
-float3 skin_transmittance(float thickness_mm_0, float3 albedo_2, float3 sigma_per_mm_0)
+float3 skin_transmittance(float thickness_mm, float3 albedo, float3 sigma_per_mm)
 {
-    float3 a2_0 = albedo_2 * albedo_2;
-    float3 _S11 = 2.0f * albedo_2;
+    float3 a2_0 = albedo * albedo;
+    float3 _S11 = 2.0f * albedo;
     float3 a_0 = (1.0f + a2_0) / _S11;
     float3 b_0 = (1.0f - a2_0) / _S11;
-    float3 decay_0 = exp(- sigma_per_mm_0 * thickness_mm_0);
+    float3 decay_0 = exp(- sigma_per_mm * thickness_mm);
     return 2.0f * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
 }
 
-float skin_classic_transmittance(float thickness_mm_1, float radius_mm_0)
+float skin_classic_transmittance(float thickness_mm, float radius_mm)
 {
-    float t_1 = thickness_mm_1 / radius_mm_0;
+    float t_1 = thickness_mm / radius_mm;
     return exp(-0.5f * t_1 * t_1);
 }
 
-float3 skin_direct_deep_scatter(float3 transmitted_0, float n_dot_l_1, float strength_0)
+float3 skin_direct_deep_scatter(float3 transmitted, float n_dot_l, float strength)
 {
-    return strength_0 * transmitted_0 * max(- n_dot_l_1, 0.0f);
+    return strength * transmitted * max(- n_dot_l, 0.0f);
 }
 
-float3 skin_ambient_deep_scatter(float3 transmitted_1, float3 irradiance_behind_0, float strength_1)
+float3 skin_ambient_deep_scatter(float3 transmitted, float3 irradiance_behind, float strength)
 {
-    return strength_1 * transmitted_1 * irradiance_behind_0;
+    return strength * transmitted * irradiance_behind;
 }
 
-float skin_specular_power(float gloss_0)
+float skin_specular_power(float gloss)
 {
-    return (exp2((13.0f * gloss_0)));
+    return (exp2((13.0f * gloss)));
 }
 
-float skin_gloss_of_relief(float gloss_1, float normal_length_0)
+float skin_gloss_of_relief(float gloss, float normal_length)
 {
-    float l_1 = clamp(normal_length_0, 0.00100000004749745f, 1.0f);
-    float power_0 = skin_specular_power(gloss_1);
+    float l_1 = clamp(normal_length, 0.00100000004749745f, 1.0f);
+    float power_0 = skin_specular_power(gloss);
     return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0f - l_1)), 1.0f)) / 13.0f;
 }
 
-float skin_gloss_from_roughness(float roughness_1)
+float skin_gloss_from_roughness(float roughness)
 {
-    float _S12 = max(roughness_1, 0.00100000004749745f);
+    float _S12 = max(roughness, 0.00100000004749745f);
     float r2_0 = _S12 * _S12;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
-float skin_lobe(float n_dot_h_0, float n_dot_l_2, float n_dot_v_1, float power_1)
+float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
-    float k_0 = rsqrt(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
+    float k_0 = rsqrt(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
     float _S13 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S13 * n_dot_l_2) * (k_0 + _S13 * n_dot_v_1)));
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S13 * n_dot_l) * (k_0 + _S13 * n_dot_v)));
 }
 
-float skin_specular(float3 normal_3, float3 view_0, float3 light_5, float gloss_2, float reflectance_0)
+float skin_specular(float3 normal, float3 view, float3 light, float gloss, float reflectance)
 {
-    float3 half_vector_0 = skin_unit_vectors(view_0 + light_5);
-    float n_dot_l_3 = saturate(dot(normal_3, light_5));
-    float n_dot_v_2 = clamp(dot(normal_3, view_0), 0.00009999999747379f, 1.0f);
-    float n_dot_h_1 = saturate(dot(normal_3, half_vector_0));
-    float wide_0 = skin_specular_power(gloss_2);
-    float away_0 = 1.0f - saturate(dot(view_0, half_vector_0));
+    float3 half_vector_0 = skin_unit_vectors(view + light);
+    float n_dot_l_3 = saturate(dot(normal, light));
+    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    float n_dot_h_1 = saturate(dot(normal, half_vector_0));
+    float wide_0 = skin_specular_power(gloss);
+    float away_0 = 1.0f - saturate(dot(view, half_vector_0));
     float away2_0 = away_0 * away_0;
-    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance_0 + (1.0f - reflectance_0) * away2_0 * away2_0 * away_0) * n_dot_l_3;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * away2_0 * away2_0 * away_0) * n_dot_l_3;
 }
 
-float3 skin_reflected(float3 normal_4, float3 view_1)
+float3 skin_reflected(float3 normal, float3 view)
 {
-    return 2.0f * dot(normal_4, view_1) * normal_4 - view_1;
+    return 2.0f * dot(normal, view) * normal - view;
 }
 
-float skin_ambient_specular_fresnel(float n_dot_v_3, float gloss_3, float reflectance_1)
+float skin_ambient_specular_fresnel(float n_dot_v, float gloss, float reflectance)
 {
-    float away_1 = 1.0f - saturate(n_dot_v_3);
+    float away_1 = 1.0f - saturate(n_dot_v);
     float away2_1 = away_1 * away_1;
-    return reflectance_1 + (1.0f - reflectance_1) * away2_1 * away2_1 * away_1 / (4.0f - 3.0f * gloss_3);
+    return reflectance + (1.0f - reflectance) * away2_1 * away2_1 * away_1 / (4.0f - 3.0f * gloss);
 }
 
-float skin_diffuse_share(float n_dot_v_4, float gloss_4, float reflectance_2)
+float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
 {
-    return 1.0f - skin_ambient_specular_fresnel(n_dot_v_4, gloss_4, reflectance_2);
+    return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
-float2 skin_equirectangular_uv(float3 direction_0)
+float2 skin_equirectangular_uv(float3 direction)
 {
-    float _S14 = direction_0.x;
-    float _S15 = direction_0.z;
+    float _S14 = direction.x;
+    float _S15 = direction.z;
     float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
     float x_0;
     if(level_0 > 0.0f)
@@ -325,101 +325,101 @@ float2 skin_equirectangular_uv(float3 direction_0)
     {
         x_0 = 1.0f;
     }
-    return float2(0.5f + atan2(_S15, x_0) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+    return float2(0.5f + atan2(_S15, x_0) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
 }
 
-float skin_reflection_level(float power_2)
+float skin_reflection_level(float power)
 {
-    return clamp(0.5f * log2(max(power_2, 1.0f)), 0.0f, 4.0f);
+    return clamp(0.5f * log2(max(power, 1.0f)), 0.0f, 4.0f);
 }
 
-float3 skin_preconvolved(Texture2D<float4 > preconvolved_0, SamplerState preconvolved_sampler_0, float2 uv_1, float power_3)
+float3 skin_preconvolved(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float2 uv, float power)
 {
-    float level_1 = skin_reflection_level(power_3);
+    float level_1 = skin_reflection_level(power);
     float _S16 = min(floor(level_1), 3.0f);
-    float row_1 = clamp(uv_1.y, 0.0078125f, 0.9921875f);
-    float _S17 = uv_1.x;
-    return lerp(preconvolved_0.SampleLevel(preconvolved_sampler_0, float2(_S17, (_S16 + row_1) / 5.0f), 0.0f).xyz, preconvolved_0.SampleLevel(preconvolved_sampler_0, float2(_S17, (_S16 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_1 - _S16));
+    float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
+    float _S17 = uv.x;
+    return lerp(preconvolved.SampleLevel(preconvolved_sampler, float2(_S17, (_S16 + row_1) / 5.0f), 0.0f).xyz, preconvolved.SampleLevel(preconvolved_sampler, float2(_S17, (_S16 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_1 - _S16));
 }
 
-float3 skin_reflected_radiance(Texture2D<float4 > preconvolved_1, SamplerState preconvolved_sampler_1, float3 direction_1, float gloss_5)
+float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float3 direction, float gloss)
 {
-    float2 uv_2 = skin_equirectangular_uv(direction_1);
-    float power_4 = skin_specular_power(gloss_5);
-    return lerp(skin_preconvolved(preconvolved_1, preconvolved_sampler_1, uv_2, power_4 / 4.0f), skin_preconvolved(preconvolved_1, preconvolved_sampler_1, uv_2, power_4 * power_4 / 4.0f), (float3)0.05000000074505806f);
+    float2 uv_2 = skin_equirectangular_uv(direction);
+    float power_4 = skin_specular_power(gloss);
+    return lerp(skin_preconvolved(preconvolved, preconvolved_sampler, uv_2, power_4 / 4.0f), skin_preconvolved(preconvolved, preconvolved_sampler, uv_2, power_4 * power_4 / 4.0f), (float3)0.05000000074505806f);
 }
 
-float3 skin_filmic(float3 light_6)
+float3 skin_filmic(float3 light)
 {
-    float3 x_1 = max(light_6 - 0.00400000018998981f, (float3)0.0f);
+    float3 x_1 = max(light - 0.00400000018998981f, (float3)0.0f);
     float3 _S18 = 6.19999980926513672f * x_1;
     return x_1 * (_S18 + 0.5f) / (x_1 * (_S18 + 1.70000004768371582f) + 0.05999999865889549f);
 }
 
-float skin_srgb_curve(float x_2)
+float skin_srgb_curve(float x)
 {
     float _S19;
-    if(x_2 <= 0.00313080009073019f)
+    if(x <= 0.00313080009073019f)
     {
-        _S19 = 12.92000007629394531f * x_2;
+        _S19 = 12.92000007629394531f * x;
     }
     else
     {
-        _S19 = 1.0549999475479126f * pow(max(x_2, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S19 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
     return _S19;
 }
 
-float3 skin_srgb_from_linear(float3 light_7)
+float3 skin_srgb_from_linear(float3 light)
 {
-    float3 x_3 = saturate(light_7);
+    float3 x_3 = saturate(light);
     return float3(skin_srgb_curve(x_3.x), skin_srgb_curve(x_3.y), skin_srgb_curve(x_3.z));
 }
 
-float skin_linear_curve(float x_4)
+float skin_linear_curve(float x)
 {
     float _S20;
-    if(x_4 <= 0.04044999927282333f)
+    if(x <= 0.04044999927282333f)
     {
-        _S20 = x_4 / 12.92000007629394531f;
+        _S20 = x / 12.92000007629394531f;
     }
     else
     {
-        _S20 = pow((x_4 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S20 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
     return _S20;
 }
 
-float3 skin_linear_from_srgb(float3 display_0)
+float3 skin_linear_from_srgb(float3 display)
 {
-    float3 x_5 = saturate(display_0);
+    float3 x_5 = saturate(display);
     return float3(skin_linear_curve(x_5.x), skin_linear_curve(x_5.y), skin_linear_curve(x_5.z));
 }
 
-float skin_classic_blur_level(float radius_mm_1, float uv_scale_mm_1, float map_size_1, float hardware_level_1)
+float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size, float hardware_level)
 {
-    return max(hardware_level_1, log2(max(map_size_1 * radius_mm_1, uv_scale_mm_1) / uv_scale_mm_1));
+    return max(hardware_level, log2(max(map_size * radius_mm, uv_scale_mm) / uv_scale_mm));
 }
 
-float3 skin_classic_direct(Texture2D<float4 > lut_5, SamplerState lut_sampler_5, float4 lut_axes_5, float3 sharp_0, float3 blurred_0, float3 light_8, float curvature_per_mm_3)
+float3 skin_classic_direct(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3 sharp, float3 blurred, float3 light, float curvature_per_mm)
 {
-    float blurred_cosine_0 = dot(blurred_0, light_8);
+    float blurred_cosine_0 = dot(blurred, light);
     float k_1 = saturate(1.0f - blurred_cosine_0);
     float k_2 = k_1 * k_1;
-    return saturate(saturate(float3(blurred_cosine_0, dot(skin_unit_vectors(lerp(sharp_0, blurred_0, (float3)(0.30000001192092896f + 0.69999998807907104f * k_2))), light_8), dot(skin_unit_vectors(lerp(sharp_0, blurred_0, (float3)k_2)), light_8))) + (lut_5.SampleLevel(lut_sampler_5, saturate((float2(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_5.xz) * lut_axes_5.yw), 0.0f).xyz - max(blurred_cosine_0, 0.0f)));
+    return saturate(saturate(float3(blurred_cosine_0, dot(skin_unit_vectors(lerp(sharp, blurred, (float3)(0.30000001192092896f + 0.69999998807907104f * k_2))), light), dot(skin_unit_vectors(lerp(sharp, blurred, (float3)k_2)), light))) + (lut.SampleLevel(lut_sampler, saturate((float2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw), 0.0f).xyz - max(blurred_cosine_0, 0.0f)));
 }
 
-float3x3 skin_classic_ambient_normals(float3 sharp_1, float3 blurred_1)
+float3x3 skin_classic_ambient_normals(float3 sharp, float3 blurred)
 {
-    return float3x3(blurred_1, skin_unit_vectors(lerp(sharp_1, blurred_1, (float3)0.30000001192092896f)), sharp_1);
+    return float3x3(blurred, skin_unit_vectors(lerp(sharp, blurred, (float3)0.30000001192092896f)), sharp);
 }
 
-float skin_classic_sharpened_shadow(float shadow_filter_2, float sharpening_1)
+float skin_classic_sharpened_shadow(float shadow_filter, float sharpening)
 {
-    return skin_smoothstep(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
+    return skin_smoothstep(0.89999997615814209f * sharpening * (shadow_filter - 0.5f) + 0.5f);
 }
 
-float skin_classic_deep_scatter(float thickness_mm_2, float n_dot_l_4, float radius_mm_2, float strength_2)
+float skin_classic_deep_scatter(float thickness_mm, float n_dot_l, float radius_mm, float strength)
 {
-    return strength_2 * skin_classic_transmittance(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_4, 0.0f);
+    return strength * skin_classic_transmittance(thickness_mm, radius_mm) * max(0.30000001192092896f - n_dot_l, 0.0f);
 }

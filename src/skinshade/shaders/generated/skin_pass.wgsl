@@ -91,19 +91,19 @@ struct LightBlock_std430_0
 
 @binding(20) @group(0) var depths_0 : texture_2d_array<f32>;
 
-@binding(9) @group(0) var classic_table_0 : texture_2d<f32>;
+@binding(9) @group(0) var classic_lut_0 : texture_2d<f32>;
 
-@binding(11) @group(0) var table_sampler_0 : sampler;
+@binding(11) @group(0) var lut_sampler_0 : sampler;
 
-@binding(10) @group(0) var classic_shadow_table_0 : texture_2d<f32>;
+@binding(10) @group(0) var classic_shadow_lut_0 : texture_2d<f32>;
 
-@binding(6) @group(0) var sphere_0 : texture_2d<f32>;
+@binding(6) @group(0) var sphere_lut_0 : texture_2d<f32>;
 
-@binding(5) @group(0) var ring_0 : texture_2d<f32>;
+@binding(5) @group(0) var ring_lut_0 : texture_2d<f32>;
 
-@binding(7) @group(0) var transfer_0 : texture_2d<f32>;
+@binding(7) @group(0) var transfer_lut_0 : texture_2d<f32>;
 
-@binding(8) @group(0) var shadow_table_0 : texture_2d<f32>;
+@binding(8) @group(0) var shadow_lut_0 : texture_2d<f32>;
 
 @binding(18) @group(0) var preconvolved_0 : texture_2d<f32>;
 
@@ -115,12 +115,12 @@ struct LightBlock_std430_0
 
 @id(5) override ENVIRONMENT_0 : i32 = i32(1);
 
-@id(1) override TIER_0 : i32 = i32(2);
-
 fn rsqrt_0( x_0 : f32) -> f32
 {
     return 1.0f / sqrt(x_0);
 }
+
+@id(1) override TIER_0 : i32 = i32(2);
 
 @id(6) override SHADOW_FILTER_0 : i32 = i32(0);
 
@@ -609,6 +609,24 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
         found_2.shadow_filter_0 = wide_filter_0(index_0, i32(2) * index_0, s_1, found_2.to_light_0);
     }
     found_2.thickness_mm_0 = 1000.0f;
+    var through_below_0 : f32;
+    if(SHADING_0 == i32(1))
+    {
+        through_below_0 = 0.30000001192092896f;
+    }
+    else
+    {
+        through_below_0 = 0.0f;
+    }
+    var through_1 : bool;
+    if(VIEW_0 == i32(4))
+    {
+        through_1 = true;
+    }
+    else
+    {
+        through_1 = (dot(s_1.blurred_0, found_2.to_light_0)) < through_below_0;
+    }
     var _S43 : bool;
     if(TAPS_0 > i32(0))
     {
@@ -620,28 +638,54 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
     }
     if(_S43)
     {
+    }
+    else
+    {
+        through_1 = false;
+    }
+    if(through_1)
+    {
         found_2.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_1);
     }
     return found_2;
 }
 
-fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_0 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
+fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
 {
-    var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S44 : f32 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S44 * n_dot_l_0) * (k_0 + _S44 * n_dot_v_0)));
+    var t_2 : f32 = thickness_mm_1 / radius_mm_0;
+    return exp(-0.5f * t_2 * t_2);
 }
 
-fn skin_specular_0( normal_2 : vec3<f32>,  view_1 : vec3<f32>,  light_0 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
+fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_0 : f32,  radius_mm_1 : f32,  strength_0 : f32) -> f32
 {
-    var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_1 + light_0);
-    var n_dot_l_1 : f32 = saturate(dot(normal_2, light_0));
-    var n_dot_v_1 : f32 = clamp(dot(normal_2, view_1), 0.00009999999747379f, 1.0f);
-    var n_dot_h_1 : f32 = saturate(dot(normal_2, half_vector_0));
-    var wide_0 : f32 = skin_specular_power_0(gloss_4);
-    var away_1 : f32 = 1.0f - saturate(dot(view_1, half_vector_0));
-    var away2_0 : f32 = away_1 * away_1;
-    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_1, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_1, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * away2_0 * away2_0 * away_1) * n_dot_l_1;
+    return strength_0 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_1) * max(0.30000001192092896f - n_dot_l_0, 0.0f);
+}
+
+fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo_3 * albedo_3;
+    var _S44 : vec3<f32> = vec3<f32>(1.0f);
+    var _S45 : vec3<f32> = vec3<f32>(2.0f);
+    var _S46 : vec3<f32> = _S45 * albedo_3;
+    var a_3 : vec3<f32> = (_S44 + a2_0) / _S46;
+    var b_3 : vec3<f32> = (_S44 - a2_0) / _S46;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
+    return _S45 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+}
+
+fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_1 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_1, 0.0f));
+}
+
+fn light_through_0( s_2 : Surface_0,  light_0 : Incident_0) -> vec3<f32>
+{
+    var n_dot_l_2 : f32 = dot(s_2.blurred_0, light_0.to_light_0);
+    if(SHADING_0 == i32(1))
+    {
+        return vec3<f32>(skin_classic_deep_scatter_0(light_0.thickness_mm_0, n_dot_l_2, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
+    }
+    return skin_direct_deep_scatter_0(skin_transmittance_0(light_0.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_2, skin_block_0.deep_scatter_strength_0);
 }
 
 fn skin_smoothstep_0( p_2 : f32) -> f32
@@ -655,33 +699,22 @@ fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
     return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
 }
 
-fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_0 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) -> f32
+{
+    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
+}
+
+fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
 {
     var blurred_cosine_0 : f32 = dot(blurred_2, light_1);
-    var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
-    var k_2 : f32 = k_1 * k_1;
-    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_1), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_2))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_0), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+    var k_0 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_1 : f32 = k_0 * k_0;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_1)))), light_1), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_1))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
 }
 
-fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_2 : f32,  n_dot_l_2 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
+fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_3 : f32,  n_dot_l_3 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
 {
-    return (textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(shadow_filter_2, max(n_dot_l_2, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_1.xz) * lut_axes_1.yw)), (0.0f))).xyz;
-}
-
-fn skin_classic_sharpened_shadow_0( shadow_filter_3 : f32,  sharpening_1 : f32) -> f32
-{
-    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_3 - 0.5f) + 0.5f);
-}
-
-fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
-{
-    var t_2 : f32 = thickness_mm_1 / radius_mm_0;
-    return exp(-0.5f * t_2 * t_2);
-}
-
-fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_3 : f32,  radius_mm_1 : f32,  strength_0 : f32) -> f32
-{
-    return strength_0 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_1) * max(0.30000001192092896f - n_dot_l_3, 0.0f);
+    return (textureSampleLevel((lut_1), (lut_sampler_2), (saturate((vec2<f32>(shadow_filter_3, max(n_dot_l_3, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_1.xz) * lut_axes_1.yw)), (0.0f))).xyz;
 }
 
 fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
@@ -694,54 +727,54 @@ fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : v
     return clamp(vec3<f32>(dot(normals_1[i32(0)], light_2), dot(normals_1[i32(1)], light_2), dot(normals_1[i32(2)], light_2)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
 }
 
-fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
+fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
 {
     var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
-    var _S45 : vec2<f32> = lut_axes_2.xz;
-    var _S46 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S45) * _S46)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S45) * _S46)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_2), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S45) * _S46)), (0.0f))).xyz.z);
+    var _S47 : vec2<f32> = lut_axes_2.xz;
+    var _S48 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S47) * _S48)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S47) * _S48)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S47) * _S48)), (0.0f))).xyz.z);
 }
 
-fn skin_relief_bump_0( m_0 : f32,  s_2 : f32) -> f32
+fn skin_relief_bump_0( m_0 : f32,  s_3 : f32) -> f32
 {
-    var _S47 : f32 = max(s_2, 9.99999971718068537e-10f);
-    var _S48 : f32 = min(abs(m_0) / _S47, 8.0f);
-    return _S47 * (0.39894229173660278f * exp(-0.5f * _S48 * _S48)) / (1.0f + _S48 * (1.25119507312774658f + _S48 * (0.58454132080078125f + _S48 * 0.06752368807792664f)));
+    var _S49 : f32 = max(s_3, 9.99999971718068537e-10f);
+    var _S50 : f32 = min(abs(m_0) / _S49, 8.0f);
+    return _S49 * (0.39894229173660278f * exp(-0.5f * _S50 * _S50)) / (1.0f + _S50 * (1.25119507312774658f + _S50 * (0.58454132080078125f + _S50 * 0.06752368807792664f)));
 }
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S49 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S49));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S49));
+    var _S51 : vec3<f32> = vec3<f32>(0.0f);
+    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S51));
+    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S51));
     return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z * sine_0.z));
 }
 
-fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_3 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
 {
     var lengths_2 : vec3<f32> = skin_lengths_0(normals_2);
     var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_2, light_3, lengths_2);
-    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_3, lut_axes_3, cos_theta_2, abs(curvature_per_mm_5)) + skin_lost_relief_0(lengths_2, cos_theta_2));
+    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_4, lut_axes_3, cos_theta_2, abs(curvature_per_mm_5)) + skin_lost_relief_0(lengths_2, cos_theta_2));
 }
 
-fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_3 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_2 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
 {
-    var tangential_0 : vec3<f32> = light_4 - normal_3 * vec3<f32>(dot(light_4, normal_3));
+    var tangential_0 : vec3<f32> = light_4 - normal_2 * vec3<f32>(dot(light_4, normal_2));
     var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
     var total_4 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
     return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_4), total_4);
 }
 
-fn skin_transfer_0( transfer_1 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+fn skin_transfer_0( transfer_0 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
 {
-    return (textureSampleLevel((transfer_1), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
+    return (textureSampleLevel((transfer_0), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
 }
 
-fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_4 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
+fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
 {
     var lengths_3 : vec3<f32> = skin_lengths_0(normals_3);
     var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_3, light_5, lengths_3);
-    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_4, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_2, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_5, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
 }
 
 fn skin_displaced_0( from_texture_0 : vec3<f32>,  from_mesh_0 : vec3<f32>,  mesh_normal_1 : vec3<f32>) -> vec3<f32>
@@ -754,47 +787,49 @@ fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x
     return mat3x3<f32>(skin_displaced_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_2));
 }
 
-fn skin_unexplained_length_0( transfer_3 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_1 : f32) -> vec3<f32>
+fn skin_unexplained_length_0( transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_1 : f32) -> vec3<f32>
 {
-    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_3, transfer_sampler_2, transfer_axes_3, total_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
+    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, total_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
 }
 
-fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_5 : vec4<f32>,  transfer_4 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_4 : vec4<f32>,  normals_4 : mat3x3<f32>,  relief_length_0 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
+fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  transfer_3 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_4 : vec4<f32>,  normals_4 : mat3x3<f32>,  relief_length_0 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
 {
     var lengths_4 : vec3<f32> = skin_lengths_0(normals_4);
     var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_4, light_6, lengths_4);
-    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_5, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_4, transfer_sampler_3, transfer_axes_4, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_0, cos_theta_4));
+    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_3, transfer_sampler_3, transfer_axes_4, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_0, cos_theta_4));
 }
 
-fn diffused_light_0( s_3 : Surface_0,  seen_1 : mat3x3<f32>,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
+fn diffused_light_0( s_4 : Surface_0,  seen_1 : mat3x3<f32>,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
 {
     if(TIER_0 == i32(0))
     {
-        return skin_direct_scalar_0(sphere_0, table_sampler_0, scatter_block_0.sphere_axes_0, seen_1, to_light_1, s_3.curvature_per_mm_0, gain_3);
+        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, seen_1, to_light_1, s_4.curvature_per_mm_0, gain_3);
     }
-    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_3.tensor_0, s_3.mesh_normal_0, to_light_1);
+    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_4.tensor_0, s_4.mesh_normal_0, to_light_1);
     if(TIER_0 == i32(1))
     {
-        return skin_direct_tensor_0(ring_0, table_sampler_0, scatter_block_0.ring_axes_0, transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, seen_1, to_light_1, bends_0.x, bends_0.y, gain_3);
+        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, seen_1, to_light_1, bends_0.x, bends_0.y, gain_3);
     }
-    return skin_direct_diffused_normals_0(ring_0, table_sampler_0, scatter_block_0.ring_axes_0, transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, skin_add_mesh_diffusion_0(seen_1, s_3.diffused_0, s_3.mesh_normal_0), skin_unexplained_length_0(transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, seen_1, s_3.diffused_0, bends_0.y), to_light_1, bends_0.x, gain_3);
+    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, skin_add_mesh_diffusion_0(seen_1, s_4.diffused_0, s_4.mesh_normal_0), skin_unexplained_length_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, seen_1, s_4.diffused_0, bends_0.y), to_light_1, bends_0.x, gain_3);
 }
 
-fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
+fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
 {
-    var a2_0 : vec3<f32> = albedo_3 * albedo_3;
-    var _S50 : vec3<f32> = vec3<f32>(1.0f);
-    var _S51 : vec3<f32> = vec3<f32>(2.0f);
-    var _S52 : vec3<f32> = _S51 * albedo_3;
-    var a_3 : vec3<f32> = (_S50 + a2_0) / _S52;
-    var b_3 : vec3<f32> = (_S50 - a2_0) / _S52;
-    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    return _S51 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+    var k_2 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
+    var _S52 : f32 = 1.0f - k_2;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S52 * n_dot_l_4) * (k_2 + _S52 * n_dot_v_0)));
 }
 
-fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_4 : f32,  strength_1 : f32) -> vec3<f32>
+fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
 {
-    return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_4, 0.0f));
+    var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_1 + light_7);
+    var n_dot_l_5 : f32 = saturate(dot(normal_3, light_7));
+    var n_dot_v_1 : f32 = clamp(dot(normal_3, view_1), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_3, half_vector_0));
+    var wide_0 : f32 = skin_specular_power_0(gloss_4);
+    var away_1 : f32 = 1.0f - saturate(dot(view_1, half_vector_0));
+    var away2_0 : f32 = away_1 * away_1;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * away2_0 * away2_0 * away_1) * n_dot_l_5;
 }
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_3 : vec3<f32>) -> vec3<f32>
@@ -817,15 +852,15 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
     return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_5[i32(0)], t_3[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_5[i32(1)], t_3[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_5[i32(2)], t_3[i32(2)]));
 }
 
-fn ambient_light_0( s_4 : Surface_0,  seen_2 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
+fn ambient_light_0( s_5 : Surface_0,  seen_2 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
 {
     var _S56 : vec3<f32> = vec3<f32>(1.0f);
     var _S57 : mat3x3<f32> = mat3x3<f32>(_S56, _S56, _S56);
     var bands_0 : mat3x3<f32>;
     if(SHADING_0 == i32(2))
     {
-        var kappa_0 : f32 = abs(s_4.curvature_per_mm_0);
-        bands_0 = mat3x3<f32>(gain_4, gain_4 * skin_transfer_0(transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, sqrt(2.0f) * kappa_0), gain_4 * skin_transfer_0(transfer_0, table_sampler_0, scatter_block_0.transfer_axes_0, sqrt(6.0f) * kappa_0));
+        var kappa_0 : f32 = abs(s_5.curvature_per_mm_0);
+        bands_0 = mat3x3<f32>(gain_4, gain_4 * skin_transfer_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, sqrt(2.0f) * kappa_0), gain_4 * skin_transfer_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, sqrt(6.0f) * kappa_0));
     }
     else
     {
@@ -928,43 +963,41 @@ struct pixelInput_0
 fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
-    var specular_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
-    var specular_1 : vec3<f32>;
-    var deep_0 : vec3<f32>;
+    var direct_2 : vec3<f32>;
     var _S63 : Fragment_0 = Fragment_0( clip_1, _S62.a_4, _S62.b_4, _S62.c_3, _S62.d_4, _S62.e_2, _S62.f_4, _S62.g_2, _S62.h_2, _S62.i_2, _S62.j_2 );
     var _S64 : vec2<f32> = _S62.c_3.zw;
     var _S65 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_5 : Surface_0 = surface_of_0(_S63, dpdx(_S64) * _S65, dpdy(_S64) * _S65);
+    var s_6 : Surface_0 = surface_of_0(_S63, dpdx(_S64) * _S65, dpdy(_S64) * _S65);
     if(VIEW_0 == i32(1))
     {
         var _S66 : vec3<f32> = vec3<f32>(0.5f);
-        var _S67 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S66 + _S66 * s_5.sharp_0), 1.0f) );
+        var _S67 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S66 + _S66 * s_6.sharp_0), 1.0f) );
         return _S67;
     }
     if(VIEW_0 == i32(2))
     {
         var _S68 : vec3<f32> = vec3<f32>(0.5f);
-        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_5.blurred_0), 1.0f) );
+        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_6.blurred_0), 1.0f) );
         return _S69;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_5.curvature_per_mm_0), 1.0f) );
+        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_6.curvature_per_mm_0), 1.0f) );
         return _S70;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_5.albedo_1, 1.0f) );
+        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_6.albedo_1, 1.0f) );
         return _S71;
     }
-    var _S72 : vec3<f32> = s_5.sharp_0;
+    var _S72 : vec3<f32> = s_6.sharp_0;
     var _S73 : mat3x3<f32> = mat3x3<f32>(_S72, _S72, _S72);
     var _S74 : vec3<f32> = vec3<f32>(1.0f);
     var seen_3 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
-        seen_3 = skin_classic_ambient_normals_0(s_5.sharp_0, s_5.blurred_0);
+        seen_3 = skin_classic_ambient_normals_0(s_6.sharp_0, s_6.blurred_0);
     }
     else
     {
@@ -973,15 +1006,15 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
-        var _S75 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_5.diffused_curvature_per_mm_0);
-        seen_3 = skin_blend_normals_0(s_5.fetched_0, blend_weights_0());
+        var _S75 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_6.diffused_curvature_per_mm_0);
+        seen_3 = skin_blend_normals_0(s_6.fetched_0, blend_weights_0());
         gain_5 = _S75;
     }
     else
     {
         gain_5 = _S74;
     }
-    var tint_1 : vec3<f32> = s_5.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
+    var tint_1 : vec3<f32> = s_6.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
     var _S76 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
@@ -1011,9 +1044,9 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var direct_2 : vec3<f32> = _S76;
-    var specular_2 : vec3<f32> = _S76;
-    var deep_1 : vec3<f32> = _S76;
+    var deep_0 : vec3<f32> = _S76;
+    var direct_3 : vec3<f32> = _S76;
+    var specular_0 : vec3<f32> = _S76;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1023,92 +1056,84 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         {
             break;
         }
-        var light_7 : Incident_0 = incident_0(index_1, s_5);
-        var _S78 : f32 = max(lit_most_0, light_7.shadow_filter_0);
+        var light_8 : Incident_0 = incident_0(index_1, s_6);
+        var _S78 : f32 = max(lit_most_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
-            thinnest_0 = min(thinnest_0, light_7.thickness_mm_0);
+            thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
         }
-        var n_dot_l_5 : f32 = dot(s_5.mesh_normal_0, light_7.to_light_0);
+        var n_dot_l_6 : f32 = dot(s_6.mesh_normal_0, light_8.to_light_0);
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
-        var highlight_0 : f32 = skin_specular_0(s_5.sharp_0, s_5.view_0, light_7.to_light_0, s_5.gloss_3, s_5.reflectance_1);
+        if(TAPS_0 > i32(0))
+        {
+            _S77 = (dot(s_6.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
+        }
+        else
+        {
+            _S77 = false;
+        }
+        if(_S77)
+        {
+            deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_6, light_8);
+        }
+        if((light_8.shadow_filter_0) == 0.0f)
+        {
+            var _S79 : i32 = index_1 + i32(1);
+            lit_most_0 = _S78;
+            index_1 = _S79;
+            continue;
+        }
+        var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
         if(SHADING_0 == i32(0))
         {
-            var _S79 : vec3<f32> = vec3<f32>(skin_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
-            var specular_3 : vec3<f32> = specular_2 + light_7.radiance_0 * vec3<f32>(highlight_0) * _S79;
-            direct_0 = direct_2 + light_7.radiance_0 * vec3<f32>(max(dot(s_5.sharp_0, light_7.to_light_0), 0.0f)) * _S79;
-            specular_0 = specular_3;
+            direct_0 = direct_3 + light_8.radiance_0 * vec3<f32>(max(dot(s_6.sharp_0, light_8.to_light_0), 0.0f)) * vec3<f32>(lit_0);
         }
         else
         {
-            direct_0 = direct_2;
-            specular_0 = specular_2;
+            direct_0 = direct_3;
         }
+        var lit_1 : f32;
         if(SHADING_0 == i32(1))
         {
-            var direct_3 : vec3<f32> = direct_0 + light_7.radiance_0 * skin_classic_direct_0(classic_table_0, table_sampler_0, scatter_block_0.classic_axes_0, s_5.sharp_0, s_5.blurred_0, light_7.to_light_0, s_5.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_table_0, table_sampler_0, scatter_block_0.classic_shadow_axes_0, light_7.shadow_filter_0, n_dot_l_5, width_1);
-            var specular_4 : vec3<f32> = specular_0 + light_7.radiance_0 * vec3<f32>(highlight_0) * vec3<f32>(skin_classic_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
-            if(TAPS_0 > i32(0))
-            {
-                direct_1 = deep_1 + light_7.radiance_0 * tint_1 * vec3<f32>(skin_classic_deep_scatter_0(light_7.thickness_mm_0, dot(s_5.blurred_0, light_7.to_light_0), skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
-            }
-            else
-            {
-                direct_1 = deep_1;
-            }
-            var _S80 : vec3<f32> = direct_1;
-            direct_1 = direct_3;
-            specular_1 = specular_4;
-            deep_0 = _S80;
+            var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_6.sharp_0, s_6.blurred_0, light_8.to_light_0, s_6.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
+            lit_1 = skin_classic_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
+            direct_1 = direct_4;
         }
         else
         {
+            lit_1 = lit_0;
             direct_1 = direct_0;
-            specular_1 = specular_0;
-            deep_0 = deep_1;
         }
         if(SHADING_0 == i32(2))
         {
-            var direct_4 : vec3<f32> = direct_1 + light_7.radiance_0 * diffused_light_0(s_5, seen_3, light_7.to_light_0, gain_5) * skin_diffused_shadow_0(shadow_table_0, table_sampler_0, scatter_block_0.shadow_axes_0, light_7.shadow_filter_0, n_dot_l_5, width_1);
-            var specular_5 : vec3<f32> = specular_1 + light_7.radiance_0 * vec3<f32>(highlight_0) * vec3<f32>(skin_sharpened_shadow_0(light_7.shadow_filter_0, skin_block_0.shadow_sharpening_0));
-            var deep_2 : vec3<f32>;
-            if(TAPS_0 > i32(0))
-            {
-                deep_2 = deep_0 + light_7.radiance_0 * tint_1 * skin_direct_deep_scatter_0(skin_transmittance_0(light_7.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, dot(s_5.blurred_0, light_7.to_light_0), skin_block_0.deep_scatter_strength_0);
-            }
-            else
-            {
-                deep_2 = deep_0;
-            }
-            direct_2 = direct_4;
-            specular_2 = specular_5;
-            deep_1 = deep_2;
+            direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_6, seen_3, light_8.to_light_0, gain_5) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
         }
         else
         {
             direct_2 = direct_1;
-            specular_2 = specular_1;
-            deep_1 = deep_0;
         }
-        var _S81 : i32 = index_1 + i32(1);
+        var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_6.sharp_0, s_6.view_0, light_8.to_light_0, s_6.gloss_3, s_6.reflectance_1));
+        direct_3 = direct_2;
+        specular_0 = specular_1;
+        var _S79 : i32 = index_1 + i32(1);
         lit_most_0 = _S78;
-        index_1 = _S81;
+        index_1 = _S79;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S82;
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S80;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S83;
+        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S81;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S84 : vec3<f32> = ambient_light_0(s_5, seen_3, gain_5) * s_5.visibility_0 + s_5.bounced_0;
-        var n_dot_v_5 : f32 = dot(s_5.sharp_0, s_5.view_0);
-        var _S85 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_5.sharp_0, s_5.view_0), s_5.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_5.gloss_3, s_5.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_5.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_5.gloss_3));
+        var _S82 : vec3<f32> = ambient_light_0(s_6, seen_3, gain_5) * s_6.visibility_0 + s_6.bounced_0;
+        var n_dot_v_5 : f32 = dot(s_6.sharp_0, s_6.view_0);
+        var _S83 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_6.sharp_0, s_6.view_0), s_6.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_6.gloss_3, s_6.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_6.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_6.gloss_3));
         if(SHADING_0 == i32(2))
         {
             _S77 = TAPS_0 > i32(0);
@@ -1119,69 +1144,71 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         }
         if(_S77)
         {
-            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_5.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
+            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_6.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
             direct_0 = _S76;
         }
-        var _S86 : vec3<f32> = direct_0;
-        direct_0 = _S85;
-        specular_0 = _S84;
-        direct_1 = _S86;
+        var _S84 : vec3<f32> = direct_0;
+        direct_0 = _S83;
+        direct_1 = _S82;
+        direct_2 = _S84;
     }
     else
     {
         direct_0 = _S76;
-        specular_0 = _S76;
         direct_1 = _S76;
+        direct_2 = _S76;
     }
+    var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
     {
-        specular_1 = s_5.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_5.mesh_normal_0, s_5.view_0), s_5.gloss_3, s_5.reflectance_1));
+        body_0 = s_6.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_6.mesh_normal_0, s_6.view_0), s_6.gloss_3, s_6.reflectance_1));
     }
     else
     {
-        specular_1 = s_5.albedo_1;
+        body_0 = s_6.albedo_1;
     }
-    var direct_5 : vec3<f32> = direct_2 * specular_1;
-    var deep_3 : vec3<f32> = deep_1 * specular_1;
-    var ambient_0 : vec3<f32> = specular_0 * specular_1;
-    var ambient_deep_0 : vec3<f32> = direct_1 * specular_1;
-    var _S87 : vec3<f32> = direct_5 + deep_3 + specular_2 + ambient_0 + ambient_deep_0 + direct_0;
+    var direct_5 : vec3<f32> = direct_3 * body_0;
+    var deep_1 : vec3<f32> = deep_0 * body_0;
+    var ambient_0 : vec3<f32> = direct_1 * body_0;
+    var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
+    var _S85 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var shown_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
-        deep_0 = direct_5;
+        shown_0 = direct_5;
     }
     else
     {
-        deep_0 = _S87;
+        shown_0 = _S85;
     }
     if(VIEW_0 == i32(8))
     {
-        deep_0 = deep_3;
+        shown_0 = deep_1;
     }
     if(VIEW_0 == i32(9))
     {
-        deep_0 = specular_2;
+        shown_0 = specular_0;
     }
     if(VIEW_0 == i32(10))
     {
-        deep_0 = ambient_0;
+        shown_0 = ambient_0;
     }
     if(VIEW_0 == i32(11))
     {
-        deep_0 = ambient_deep_0;
+        shown_0 = ambient_deep_0;
     }
     if(VIEW_0 == i32(12))
     {
-        deep_0 = direct_0;
+        shown_0 = direct_0;
     }
     if(MULTISAMPLED_0 > i32(0))
     {
-        deep_0 = min(deep_0, vec3<f32>(60000.0f));
+        shown_0 = min(shown_0, vec3<f32>(60000.0f));
     }
-    var _S88 : pixelOutput_0 = pixelOutput_0( vec4<f32>(deep_0, 1.0f) );
-    return _S88;
+    var _S86 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
+    return _S86;
 }
 
