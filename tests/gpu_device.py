@@ -1,10 +1,19 @@
-"""What a test that needs a GPU does where there is none."""
+"""What a test that needs a GPU, or a tool that drives one, does where there is none."""
 
 from __future__ import annotations
 
 import os
+import shutil
+from typing import NoReturn
 
 import pytest
+
+
+def absent(message) -> NoReturn:
+    """Skip, or fail where `SKINSHADE_REQUIRE_GPU` says that everything is there."""
+    if os.environ.get("SKINSHADE_REQUIRE_GPU") == "1":
+        pytest.fail(message)
+    pytest.skip(message)
 
 
 def adapter_or_skip():
@@ -13,8 +22,13 @@ def adapter_or_skip():
 
     found = adapters()
     if not found:
-        message = "no GPU adapter, not even a software one; see tools/software_driver.py"
-        if os.environ.get("SKINSHADE_REQUIRE_GPU") == "1":
-            pytest.fail(message)
-        pytest.skip(message)
+        absent("no GPU adapter, not even a software one; see tools/software_driver.py")
     return found[0]
+
+
+def tool_or_skip(name):
+    """Return a program's path; skip, or fail where it is required."""
+    found = shutil.which(name)
+    if found is None:
+        absent(f"{name} is not installed; see tools")
+    return found

@@ -202,3 +202,7 @@ BACKENDS_MEAN = Tolerance(0.05, "mean; .003 on llvmpipe; float32, maps in half f
 BACKENDS_TAIL = Tolerance(
     1.5, "99.9 % of pixels; .36 on llvmpipe; others lie on edges, where samples tie"
 )
+
+ENGINE_EDGES = Tolerance(1e-3, "share of pixels that one renderer covers and the other does not")
+ENGINE_MEAN = Tolerance(2e-4, "linear light; float32, texture filters")
+ENGINE_TAIL = Tolerance(3e-3, "99.9 % of pixels")

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from gpu_device import adapter_or_skip
 from skinshade.lut import Lut
 from skinshade.scene.images import read_image
 
@@ -37,3 +38,22 @@ def test_own_profile_tells_materials_apart(repository, tmp_path):
     # Just past the terminator skin is red, the creature green.
     assert skin.sample(-0.1, 0.125).argmax() == 0
     assert creature.sample(-0.1, 0.125).argmax() == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["wgpu_skin", "moderngl_skin"])
+def test_a_foreign_renderer_draws_a_head_lit_from_one_side(repository, tmp_path, name):
+    adapter_or_skip()
+    run(repository, f"{name}.py", tmp_path)
+    picture = read_image(tmp_path / f"{name}.png")
+    assert picture.shape == (480, 480, 3)
+    assert (
+        picture[200, 190].sum() > 5.0 * picture[200, 300].sum()
+    )  # forehead, and beyond the terminator
+    red, green, blue = picture[300:330, 160:200].mean(axis=(0, 1))
+    assert red > green > blue
+
+
+def test_the_wgpu_example_is_short(repository):
+    lines = (repository / "examples" / "wgpu_skin.py").read_text("utf-8").splitlines()
+    assert len(lines) < 120

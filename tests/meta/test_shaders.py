@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import inspect
-import os
-import shutil
 import subprocess
 from importlib import import_module
 
 import pytest
 
+from gpu_device import tool_or_skip
 from skinshade._core.errors import CompilerError
-from skinshade.codegen.build import GENERATED, generate
+from skinshade.codegen.build import GENERATED, PAGE, generate, page
 from skinshade.codegen.compiler import LIBRARY, translate, version
-from skinshade.codegen.signatures import signatures
+from skinshade.codegen.signatures import signatures, twin_module
 
 HOST_ONLY = {
     "ambient": {"sh_basis": "inside skin_ambient_irradiance"},
@@ -37,9 +36,7 @@ FILES = sorted({each.file for each in signatures()})
 
 
 def specification(file):
-    return import_module(
-        "skinshade.profile.energy" if file == "energy" else f"skinshade.shading.{file}"
-    )
+    return import_module(twin_module(next(each for each in signatures() if each.file == file)))
 
 
 @pytest.fixture(scope="module")
@@ -56,6 +53,10 @@ def test_what_is_committed_is_what_the_generator_makes(compiler):
     assert set(committed) == set(made)
     for name, text in made.items():
         assert committed[name] == text, f"{name} is stale: run `make shaders`"
+
+
+def test_the_page_of_functions_is_current(compiler, repository):
+    assert (repository / "docs" / PAGE).read_text("utf-8") == page(), "run `make shaders`"
 
 
 @pytest.mark.parametrize("file", FILES)
@@ -97,11 +98,7 @@ GLSL = {
 
 
 def validated(source, folder, stage, flags):
-    if shutil.which("glslangValidator") is None:
-        message = "glslangValidator is not installed (Debian: glslang-tools)"
-        if os.environ.get("SKINSHADE_REQUIRE_GPU") == "1":
-            pytest.fail(message)
-        pytest.skip(message)
+    tool_or_skip("glslangValidator")
     file = folder / f"library.{stage}"
     file.write_text(source, encoding="utf-8")
     command = ["glslangValidator", *flags, "-S", stage, str(file)]

@@ -15,6 +15,7 @@
     │   ├── ShaderError                a user's shader that cannot be bound
     │   └── OutputError                a place that cannot be written
     ├── BackendError                   no device to render with, or it was lost
+    ├── DependencyError                an optional library that is not installed (also an ImportError)
     ├── DownloadError                  an asset that could not be fetched, or has a wrong hash
     └── CompilerError                  a shader source that cannot be translated; at build time only
 
@@ -25,6 +26,7 @@ __all__ = [
     "ArgumentError",
     "BackendError",
     "CompilerError",
+    "DependencyError",
     "DownloadError",
     "FileError",
     "ImageFileError",
@@ -95,6 +97,10 @@ class OutputError(InputError):
 
 class BackendError(SkinshadeError):
     """There is no device to render with, or it was lost."""
+
+
+class DependencyError(SkinshadeError, ImportError):
+    """An optional library is not installed."""
 
 
 class DownloadError(SkinshadeError):

@@ -9,7 +9,7 @@ import typer
 
 from .._core.errors import SkinshadeError, UnitWarning
 from .._core.version import __version__
-from . import assets, doctor, lut, profile, render
+from . import assets, doctor, lut, profile, render, shaders
 
 __all__ = ["app", "main"]
 
@@ -23,6 +23,7 @@ app = typer.Typer(
 app.command("render")(render.render_command)
 app.command("profile")(profile.profile_command)
 app.add_typer(lut.app, name="lut")
+app.add_typer(shaders.app, name="shaders")
 app.add_typer(assets.app, name="assets")
 app.command("doctor")(doctor.doctor_command)
 

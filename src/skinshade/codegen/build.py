@@ -12,14 +12,17 @@ from .blocks import STRUCTS, block_layouts, block_source, block_text, echo_sourc
 from .c_header import c_header
 from .compiler import LIBRARY, translate, version
 from .constants import constants_source
+from .function_page import function_page
 from .kernels import kernel_source
 from .library import DIALECTS, library
 from .poisson import poisson_source
 from .signatures import signatures
 
-__all__ = ["GENERATED", "generate", "write"]
+__all__ = ["GENERATED", "PAGE", "PASSES", "generate", "page", "write"]
 
 GENERATED = LIBRARY.parent / "generated"
+PAGE = "functions.md"
+"""A page of ``docs``, beside the sources."""
 PASSES = ("shadow_pass", "blur_pass", "skin_pass", "present_pass")
 INCLUDED: dict[str, Callable[[], str]] = {
     "poisson.slang": poisson_source,
@@ -45,12 +48,19 @@ def generate() -> dict[str, str]:
     return files
 
 
+def page() -> str:
+    """Return the page of all functions."""
+    return function_page({f"skin.{each.suffix}": library(each) for each in DIALECTS.values()})
+
+
 def write(folder: Path = GENERATED) -> list[str]:
     """Write what `generate` gives, and return the names of the files that changed."""
     folder.mkdir(exist_ok=True)
     changed = []
     changed = [name for name, source in INCLUDED.items() if _written(folder / name, source())]
-    return changed + [name for name, text in generate().items() if _written(folder / name, text)]
+    changed += [name for name, text in generate().items() if _written(folder / name, text)]
+    docs = GENERATED.parents[3] / "docs"
+    return changed + ([PAGE] if docs.is_dir() and _written(docs / PAGE, page()) else [])
 
 
 def _written(path: Path, text: str) -> bool:

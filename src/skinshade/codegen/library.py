@@ -89,6 +89,7 @@ def _renamed(text: str) -> str:
     text = re.sub(r"\b(skin_[a-z0-9_]*?)_0\b(?=\s*\()", r"\1", text)
     text = re.sub(r"\b(SKIN_[A-Z0-9_]*?)_0\b", r"\1", text)
     text = re.sub(r"\b(saturate|rsqrt)_(\d+)\b", r"skin_\1_\2", text)
+    text = re.sub(r"\bmatrix<float,int\((\d)\),int\((\d)\)> ?", r"float\1x\2", text)
     return FUNCTION.sub(lambda found: _with_plain_parameters(found.group(0)), text)
 
 

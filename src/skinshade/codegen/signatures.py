@@ -9,7 +9,7 @@ from pathlib import Path
 from .._core.errors import CompilerError
 from .compiler import LIBRARY
 
-__all__ = ["FLOATS", "NUMBERS", "Parameter", "Signature", "signatures"]
+__all__ = ["FLOATS", "NUMBERS", "Parameter", "Signature", "signatures", "twin_module"]
 
 FUNCTION = re.compile(
     r"^SKIN_API\s+(\w+)\s+(skin_\w+)\s*\((.*?)\)\s*\n\{", re.MULTILINE | re.DOTALL
@@ -64,6 +64,13 @@ class Signature:
         return self.name.removeprefix("skin_").removeprefix(
             f"{self.file}_" if self.file == "classic" else ""
         )
+
+
+def twin_module(signature: Signature) -> str:
+    """Return the module of the specification in which a function has its twin."""
+    # The energy gain belongs to a profile, not to a pixel.
+    package = "profile" if signature.file == "energy" else "shading"
+    return f"skinshade.{package}.{signature.file}"
 
 
 def signatures(folder: Path = LIBRARY) -> list[Signature]:

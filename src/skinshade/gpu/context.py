@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import wgpu
 
-from .._core.errors import ArgumentError, ShaderError
+from .._core.errors import ShaderError
 from ..params import BLOCKS, ScatterParams, SkinParams
 from ..params.packing import layout
 from .bindings import BindPoint, bind_points
@@ -24,8 +24,6 @@ LUT_NAMES = ("ring", "sphere", "transfer", "shadow", "classic", "classic_shadow"
 SAMPLER = "lut_sampler"
 WGSL_TYPES = {"float4": "vec4<f32>", "float2": "vec2<f32>", "float": "f32"}
 SHORT_TYPES = {"vec4f": "vec4<f32>", "vec2f": "vec2<f32>"}
-TABLES_HOLD = ("scatter_scale", "shadow_filter_width_mm", "shadow_sharpening")
-"""Parameters that the tables were made for: another value is another context."""
 
 
 class SkinSource(HasLuts, Protocol):
@@ -34,6 +32,9 @@ class SkinSource(HasLuts, Protocol):
     @property
     def params(self) -> SkinParams:
         """Numbers of the material."""
+
+    def check_tables_hold(self, params: SkinParams) -> None:
+        """Raise if other parameters need other tables."""
 
     def scatter_params(self, fetches: int = ..., luts: Sequence[str] = ...) -> ScatterParams:
         """Return numbers of the profile and of its tables."""
@@ -120,13 +121,7 @@ class SkinContext:
         ArgumentError
             If a parameter changes that the tables were made for.
         """
-        for name in TABLES_HOLD:
-            was, wanted = getattr(self.skin.params, name), getattr(params, name)
-            if was != wanted:
-                raise ArgumentError(
-                    f"{name}: the context's tables were made for {was}, not {wanted}; make a SkinContext"
-                    " of the new parameters"
-                )
+        self.skin.check_tables_hold(params)
         self.device.queue.write_buffer(self.skin_block, 0, params.pack())
 
     @cached_property

@@ -1,5 +1,6 @@
 """What skin shading needs from a mesh: curvature, UV scale, frames, diffusion over its surface."""
 
+from .attributes import vertex_attributes
 from .curvature import mesh_curvature, mesh_curvature_tensor
 from .diffusion import diffuse_on_mesh, mesh_diffused_normals
 from .model import Mesh
@@ -14,4 +15,5 @@ __all__ = [
     "mesh_curvature_tensor",
     "mesh_diffused_normals",
     "mesh_uv_scale",
+    "vertex_attributes",
 ]

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from .._core.arrays import FloatArray, as_triple
+from .._core.errors import ArgumentError
 from ..lut import Lut, build_curvature_lut, build_shadow_lut, build_transfer_lut
 from ..lut.classic import classic_curvature_lut, classic_shadow_lut
 from ..lut.spectral import DiffusionGeometry
@@ -22,6 +23,9 @@ __all__ = ["LUTS", "Skin"]
 TABLE_RADIUS_MM = (0.5, 4000.0)
 """Radii of curvature that the tables hold: from a lash line to what is flat for any profile."""
 TABLE_SIZE = (512, 128)
+
+TABLES_HOLD = ("scatter_scale", "shadow_filter_width_mm", "shadow_sharpening")
+"""Parameters that the tables are made for."""
 
 LUTS = {
     "ring": "ring",
@@ -51,7 +55,15 @@ class Skin:
 
     @classmethod
     def of(cls, profile: Profile, params: SkinParams) -> Skin:
-        """Return the skin of a material's profile and parameters."""
+        """Return the skin of a material.
+
+        Parameters
+        ----------
+        profile
+            As measured; ``params.scatter_scale`` scales it here.
+        params
+            The numbers of the material.
+        """
         return cls(profile.scaled(params.scatter_scale), params)
 
     def lut(self, name: str) -> Lut:
@@ -62,7 +74,15 @@ class Skin:
     def scatter_params(
         self, fetches: int = 3, luts: Sequence[str] = ("ring", "sphere", "transfer", "shadow")
     ) -> ScatterParams:
-        """Return what shaders take of the profile and of these tables, for 2 or 3 normal fetches."""
+        """Return what shaders take of the profile and of its tables.
+
+        Parameters
+        ----------
+        fetches
+            Of the normal map, 2 or 3.
+        luts
+            Names of the tables whose axes are wanted; the others keep their defaults and are not made.
+        """
         blend = self.blend(fetches)
         weights, sigmas = np.zeros((3, 3)), np.zeros(2)
         weights[:, :fetches] = blend.weights
@@ -77,6 +97,27 @@ class Skin:
             normal_sigmas_mm=(float(sigmas[0]), float(sigmas[1])),
             **{f"{name}_axes": self.lut(name).axes for name in luts},
         )
+
+    def check_tables_hold(self, params: SkinParams) -> None:
+        """Raise if other parameters need other tables.
+
+        Parameters
+        ----------
+        params
+            That a shader is to take with the tables of these.
+
+        Raises
+        ------
+        ArgumentError
+            Naming the parameter.
+        """
+        for name in TABLES_HOLD:
+            made_for, wanted = getattr(self.params, name), getattr(params, name)
+            if made_for != wanted:
+                raise ArgumentError(
+                    f"{name}: the tables were made for {made_for}, not {wanted}; make a Skin of the new"
+                    " parameters"
+                )
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
         """Return the profile's T(k) (..., 3)."""

@@ -7,16 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._core.arrays import FloatArray, IntArray
-from ...mesh import Mesh, diffuse_on_mesh, mesh_curvature, mesh_curvature_tensor
-from ...mesh.curvature import tensor_to_world
-from ...mesh.normals import tangent_frame, vertex_tangents
+from ...mesh import Mesh, vertex_attributes
 from ...profile import Profile
 from .sky import SkyLight
 
 __all__ = ["Columns", "Geometry", "build_geometry"]
-
-DIFFUSION_TOLERANCE = 1e-4
-"""Of diffused normals: a tenth of what eight bits of a picture resolve."""
 
 Columns = dict[str, FloatArray]
 
@@ -50,27 +45,7 @@ class Geometry:
 
 def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geometry:
     """Analyse a mesh for a profile."""
-    points = mesh.positions_mm
-    tensor = mesh_curvature_tensor(points, mesh.faces, mesh.normals)
-    curvature = mesh_curvature(points, mesh.faces, mesh.normals)
-    both = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
-    diffused = diffuse_on_mesh(points, mesh.faces, both, profile, tolerance=DIFFUSION_TOLERANCE)
-    if mesh.uvs is None:
-        tangent = np.concatenate(
-            [tangent_frame(mesh.normals)[0], np.ones((len(points), 1))], axis=1
-        )
-    else:
-        tangent = vertex_tangents(points, mesh.normals, mesh.uvs, mesh.faces)
-    columns: Columns = {
-        "position": points,
-        "normal": mesh.normals,
-        "tangent": tangent,
-        "uv": np.zeros((len(points), 2)) if mesh.uvs is None else mesh.uvs,
-        "curvature": curvature[:, None],
-        "tensor": tensor_to_world(tensor, mesh.normals),
-        "diffused": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
-        "diffused_curvature": diffused[:, 3],
-    }
+    columns = vertex_attributes(mesh, profile)
     if sky is not None:
         columns["visibility"] = sky.visibility
         columns["through"] = sky.through

@@ -9,14 +9,14 @@ float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float h
     return max(hardware_level, log2(max(2.0f * sigma_mm * map_size / uv_scale_mm, 1.0f)));
 }
 
-float3 skin_weighted(matrix<float,int(3),int(3)>  rows, float3 weights)
+float3 skin_weighted(float3x3 rows, float3 weights)
 {
     return float3(weights.x)  * rows[int(0)] + float3(weights.y)  * rows[int(1)] + float3(weights.z)  * rows[int(2)];
 }
 
-matrix<float,int(3),int(3)>  skin_blend_normals(matrix<float,int(3),int(3)>  fetched_0, matrix<float,int(3),int(3)>  blend_0)
+float3x3 skin_blend_normals(float3x3 fetched, float3x3 blend)
 {
-    return matrix<float,int(3),int(3)> (skin_weighted(fetched_0, blend_0[int(0)]), skin_weighted(fetched_0, blend_0[int(1)]), skin_weighted(fetched_0, blend_0[int(2)]));
+    return float3x3(skin_weighted(fetched, blend[int(0)]), skin_weighted(fetched, blend[int(1)]), skin_weighted(fetched, blend[int(2)]));
 }
 
 float skin_safe_length(float3 v)
@@ -29,9 +29,9 @@ float3 skin_displaced(float3 from_texture, float3 from_mesh, float3 mesh_normal)
     return from_texture + float3(skin_safe_length(from_texture))  * (from_mesh - mesh_normal);
 }
 
-matrix<float,int(3),int(3)>  skin_add_mesh_diffusion(matrix<float,int(3),int(3)>  from_texture_1, matrix<float,int(3),int(3)>  from_mesh_1, float3 mesh_normal_1)
+float3x3 skin_add_mesh_diffusion(float3x3 from_texture, float3x3 from_mesh, float3 mesh_normal)
 {
-    return matrix<float,int(3),int(3)> (skin_displaced(from_texture_1[int(0)], from_mesh_1[int(0)], mesh_normal_1), skin_displaced(from_texture_1[int(1)], from_mesh_1[int(1)], mesh_normal_1), skin_displaced(from_texture_1[int(2)], from_mesh_1[int(2)], mesh_normal_1));
+    return float3x3(skin_displaced(from_texture[int(0)], from_mesh[int(0)], mesh_normal), skin_displaced(from_texture[int(1)], from_mesh[int(1)], mesh_normal), skin_displaced(from_texture[int(2)], from_mesh[int(2)], mesh_normal));
 }
 
 float skin_relief_bump(float m, float s)
@@ -41,12 +41,12 @@ float skin_relief_bump(float m, float s)
     return _S1 * (0.39894229173660278f * exp(-0.5f * _S2 * _S2)) / (1.0f + _S2 * (1.25119507312774658f + _S2 * (0.58454132080078125f + _S2 * 0.06752368807792664f)));
 }
 
-float3 skin_lengths(matrix<float,int(3),int(3)>  normals)
+float3 skin_lengths(float3x3 normals)
 {
     return float3(skin_safe_length(normals[int(0)]), skin_safe_length(normals[int(1)]), skin_safe_length(normals[int(2)]));
 }
 
-float3 skin_cosines(matrix<float,int(3),int(3)>  normals, float3 light, float3 lengths)
+float3 skin_cosines(float3x3 normals, float3 light, float3 lengths)
 {
     return clamp(float3(dot(normals[int(0)], light), dot(normals[int(1)], light), dot(normals[int(2)], light)) / max(lengths, float3(9.99999971718068537e-10f) ), float3(-1.0f) , float3(1.0f) );
 }
@@ -67,7 +67,7 @@ float3 skin_lost_relief(float3 lengths, float3 cos_theta)
     return float3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x * sine_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y * sine_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z * sine_0.z));
 }
 
-float3 skin_direct_scalar(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, matrix<float,int(3),int(3)>  normals, float3 light, float curvature_per_mm, float3 gain)
+float3 skin_direct_scalar(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float3x3 normals, float3 light, float curvature_per_mm, float3 gain)
 {
     float3 lengths_2 = skin_lengths(normals);
     float3 cos_theta_2 = skin_cosines(normals, light, lengths_2);
@@ -79,26 +79,26 @@ float3 skin_transfer(texture2d<float, access::sample> transfer, sampler transfer
     return ((transfer).sample((transfer_sampler), (saturate((float2(sqrt(max(k_per_mm, 0.0f)), 0.5f) - transfer_axes.xz) * transfer_axes.yw)), level((0.0f)))).xyz;
 }
 
-float3 skin_direct_tensor(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, texture2d<float, access::sample> transfer, sampler transfer_sampler, float4 transfer_axes, matrix<float,int(3),int(3)>  normals, float3 light, float directional_per_mm, float total_per_mm, float3 gain)
+float3 skin_direct_tensor(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, texture2d<float, access::sample> transfer, sampler transfer_sampler, float4 transfer_axes, float3x3 normals, float3 light, float directional_per_mm, float total_per_mm, float3 gain)
 {
     float3 lengths_3 = skin_lengths(normals);
     float3 cos_theta_3 = skin_cosines(normals, light, lengths_3);
     return gain * (lengths_3 * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_3, directional_per_mm) * skin_transfer(transfer, transfer_sampler, transfer_axes, sqrt(max((total_per_mm - directional_per_mm) * (total_per_mm + directional_per_mm), 0.0f)))) + skin_lost_relief(lengths_3, cos_theta_3));
 }
 
-float3 skin_direct_diffused_normals(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, texture2d<float, access::sample> transfer, sampler transfer_sampler, float4 transfer_axes, matrix<float,int(3),int(3)>  normals, float3 relief_length, float3 light, float directional_per_mm, float3 gain)
+float3 skin_direct_diffused_normals(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, texture2d<float, access::sample> transfer, sampler transfer_sampler, float4 transfer_axes, float3x3 normals, float3 relief_length, float3 light, float directional_per_mm, float3 gain)
 {
     float3 lengths_4 = skin_lengths(normals);
     float3 cos_theta_4 = skin_cosines(normals, light, lengths_4);
     return gain * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_4, directional_per_mm) * min(lengths_4 / max(skin_transfer(transfer, transfer_sampler, transfer_axes, directional_per_mm), float3(9.99999997475242708e-07f) ), float3(1.0f) ) + skin_lost_relief(relief_length, cos_theta_4));
 }
 
-float3 skin_unexplained_length(texture2d<float, access::sample> transfer, sampler transfer_sampler, float4 transfer_axes, matrix<float,int(3),int(3)>  from_texture, matrix<float,int(3),int(3)>  from_mesh, float total_per_mm)
+float3 skin_unexplained_length(texture2d<float, access::sample> transfer, sampler transfer_sampler, float4 transfer_axes, float3x3 from_texture, float3x3 from_mesh, float total_per_mm)
 {
     return skin_lengths(from_texture) * min(skin_lengths(from_mesh) / max(float3(0.97500002384185791f)  * skin_transfer(transfer, transfer_sampler, transfer_axes, total_per_mm), float3(9.99999997475242708e-07f) ), float3(1.0f) );
 }
 
-float2 skin_directional_curvature(matrix<float,int(3),int(3)>  tensor_world, float3 normal, float3 light)
+float2 skin_directional_curvature(float3x3 tensor_world, float3 normal, float3 light)
 {
     float3 tangential_0 = light - normal * float3(dot(light, normal)) ;
     float3 turn_0 = float3(dot(tensor_world[int(0)], tangential_0), dot(tensor_world[int(1)], tangential_0), dot(tensor_world[int(2)], tangential_0));
@@ -138,7 +138,7 @@ float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, flo
     return _S7 / (_S7 + _S8 * _S8);
 }
 
-float3 skin_sh_bands(matrix<float,int(3),int(3)>  sh, float3 d)
+float3 skin_sh_bands(float3x3 sh, float3 d)
 {
     float _S9 = d.y;
     float _S10 = d.z;
@@ -146,15 +146,15 @@ float3 skin_sh_bands(matrix<float,int(3),int(3)>  sh, float3 d)
     return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S9 + sh[int(0)].z * _S10 + sh[int(1)].x * _S11), 1.09254848957061768f * (sh[int(1)].y * _S11 * _S9 + sh[int(1)].z * _S9 * _S10 + sh[int(2)].y * _S11 * _S10) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S10 * _S10 - 1.0f) + 0.54627424478530884f * sh[int(2)].z * (_S11 * _S11 - _S9 * _S9));
 }
 
-float skin_ambient_channel(matrix<float,int(3),int(3)>  sh, float3 normal, float3 band_transfer)
+float skin_ambient_channel(float3x3 sh, float3 normal, float3 band_transfer)
 {
     float l_0 = skin_safe_length(normal);
     return max(dot(skin_sh_bands(sh, normal / float3(l_0) ), float3(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer * float3(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
-float3 skin_ambient_irradiance(matrix<float,int(3),int(3)>  radiance_sh_red, matrix<float,int(3),int(3)>  radiance_sh_green, matrix<float,int(3),int(3)>  radiance_sh_blue, matrix<float,int(3),int(3)>  normals, matrix<float,int(3),int(3)>  band_transfer)
+float3 skin_ambient_irradiance(float3x3 radiance_sh_red, float3x3 radiance_sh_green, float3x3 radiance_sh_blue, float3x3 normals, float3x3 band_transfer)
 {
-    matrix<float,int(3),int(3)>  t_0 = transpose(band_transfer);
+    float3x3 t_0 = transpose(band_transfer);
     return float3(skin_ambient_channel(radiance_sh_red, normals[int(0)], t_0[int(0)]), skin_ambient_channel(radiance_sh_green, normals[int(1)], t_0[int(1)]), skin_ambient_channel(radiance_sh_blue, normals[int(2)], t_0[int(2)]));
 }
 
@@ -163,9 +163,9 @@ float3 skin_unit_vectors(float3 v)
     return v / float3(skin_safe_length(v)) ;
 }
 
-matrix<float,int(3),int(3)>  skin_ambient_normals(matrix<float,int(3),int(3)>  normals_6)
+float3x3 skin_ambient_normals(float3x3 normals)
 {
-    return matrix<float,int(3),int(3)> (skin_unit_vectors(normals_6[int(0)]), skin_unit_vectors(normals_6[int(1)]), skin_unit_vectors(normals_6[int(2)]));
+    return float3x3(skin_unit_vectors(normals[int(0)]), skin_unit_vectors(normals[int(1)]), skin_unit_vectors(normals[int(2)]));
 }
 
 float3 skin_ambient_of_three(float3 red, float3 green, float3 blue)
@@ -194,7 +194,7 @@ float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
     return saturate(open_0 - 1.0f + visibility);
 }
 
-float skin_linear_depth(float depth, matrix<float,int(4),int(4)>  projection)
+float skin_linear_depth(float depth, float4x4 projection)
 {
     return abs((depth * projection[int(3)][int(3)] - projection[int(2)][int(3)]) / (projection[int(2)][int(2)] - depth * projection[int(3)][int(2)]));
 }
@@ -204,7 +204,7 @@ float3 skin_inward_offset(float3 position_mm, float3 normal, float offset_mm)
     return position_mm - normal * float3(offset_mm) ;
 }
 
-float skin_thickness(texture2d<float, access::sample> depth_map, sampler depth_map_sampler, matrix<float,int(4),int(4)>  projection, float2 uv, float receiver_mm, float2 radius_uv, int taps)
+float skin_thickness(texture2d<float, access::sample> depth_map, sampler depth_map_sampler, float4x4 projection, float2 uv, float receiver_mm, float2 radius_uv, int taps)
 {
     int tap_0 = int(0);
     float total_1 = 0.0f;
@@ -414,9 +414,9 @@ float3 skin_classic_direct(texture2d<float, access::sample> lut, sampler lut_sam
     return saturate(saturate(float3(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp, blurred, float3((0.30000001192092896f + 0.69999998807907104f * k_2)) )), light), dot(skin_unit_vectors(mix(sharp, blurred, float3(k_2) )), light))) + (((lut).sample((lut_sampler), (saturate((float2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw)), level((0.0f)))).xyz - float3(max(blurred_cosine_0, 0.0f)) ));
 }
 
-matrix<float,int(3),int(3)>  skin_classic_ambient_normals(float3 sharp_1, float3 blurred_1)
+float3x3 skin_classic_ambient_normals(float3 sharp, float3 blurred)
 {
-    return matrix<float,int(3),int(3)> (blurred_1, skin_unit_vectors(mix(sharp_1, blurred_1, float3(0.30000001192092896f) )), sharp_1);
+    return float3x3(blurred, skin_unit_vectors(mix(sharp, blurred, float3(0.30000001192092896f) )), sharp);
 }
 
 float skin_classic_sharpened_shadow(float shadow_filter, float sharpening)
