@@ -5,6 +5,7 @@ from .curvature import mesh_curvature, mesh_curvature_tensor
 from .diffusion import diffuse_on_mesh, mesh_diffused_normals
 from .model import Mesh
 from .readers import load_mesh
+from .thickness import mesh_thickness
 from .uv_scale import mesh_uv_scale
 
 __all__ = [
@@ -14,6 +15,7 @@ __all__ = [
     "mesh_curvature",
     "mesh_curvature_tensor",
     "mesh_diffused_normals",
+    "mesh_thickness",
     "mesh_uv_scale",
     "vertex_attributes",
 ]

@@ -1,0 +1,79 @@
+"""One asset baked: a file in, a file out."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from .._core.progress import Progress, silent
+from ..mesh import load_mesh
+from .analysis import Body, analyse
+from .gltf import read_gltf
+from .gltf_bake import BakedMesh, bake_gltf
+from .gltf_write import write_gltf
+from .settings import BakeSettings
+from .tables import write_table
+
+__all__ = ["BakedAsset", "bake"]
+
+GLTF = (".glb", ".gltf")
+
+
+@dataclass(frozen=True)
+class BakedAsset:
+    """What came of one asset.
+
+    Attributes
+    ----------
+    source
+        The file.
+    written
+        Files that were written, the asset itself last.
+    meshes
+        What was baked.
+    """
+
+    source: Path
+    written: list[Path]
+    meshes: list[BakedMesh] = field(default_factory=list)
+
+
+def bake(
+    source: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    settings: BakeSettings | None = None,
+    *,
+    progress: Progress = silent,
+) -> BakedAsset:
+    """Write an asset again with what skin shading needs at its vertices.
+
+    Parameters
+    ----------
+    source
+        ``.glb``, ``.gltf``, ``.obj``, ``.ply`` or ``.stl``.
+    output
+        ``.glb`` or ``.gltf`` of a glTF file, all else of which stays as it is; ``.glb``, ``.ply`` or
+        ``.usda``, ``.usdc`` (extra ``usd``) of any file.
+    settings
+        What is baked.
+    progress
+        Called with what is being done and how far it is.
+
+    Raises
+    ------
+    MeshFileError, MeshError, UnitError, ArgumentError, OutputError
+        If the file is at fault, its unit unknown, or the place cannot be written.
+    """
+    settings = settings or BakeSettings()
+    file, place = Path(source), Path(output)
+    if file.suffix.lower() in GLTF and place.suffix.lower() in GLTF:
+        gltf = read_gltf(file)
+        baked = bake_gltf(gltf, settings, progress)
+        return BakedAsset(file, write_gltf(gltf, baked, place), baked.meshes)
+    mesh = load_mesh(file, unit_mm=settings.unit_mm)
+    body = Body(mesh.positions_mm, mesh.faces, mesh.normals, mesh.uvs)
+    analysed = analyse(body, settings, str(file), progress)
+    write_table(place, body, analysed, mesh.unit_mm, settings)
+    told = BakedMesh(file.stem, mesh.unit_mm, body, analysed, dict(mesh.repairs))
+    return BakedAsset(file, [place], [told])
