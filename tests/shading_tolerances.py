@@ -206,3 +206,19 @@ BACKENDS_TAIL = Tolerance(
 ENGINE_EDGES = Tolerance(1e-3, "share of pixels that one renderer covers and the other does not")
 ENGINE_MEAN = Tolerance(2e-4, "linear light; float32, texture filters")
 ENGINE_TAIL = Tolerance(3e-3, "99.9 % of pixels")
+
+# -- pygfx's picture beside ours, in linear light ---------------------------------------------------------
+
+LAMP_COLOUR = Tolerance(2e-6, "through sRGB and back in float32; relative")
+LAMP_MATRIX = Tolerance(2e-6, "float32 of a matrix, over its largest element")
+PYGFX_TAIL = Tolerance(8e-4, "99.9 % of pixels of one colour, no shadow: half floats; .00048 found")
+PYGFX_WORST = Tolerance(4e-3, "as PYGFX_TAIL, worst pixel; its triangle is a matter of rounding")
+PYGFX_SHADOW = Tolerance(
+    0.015,
+    "99 % of pixels, shadow, light through, albedo map: pygfx's mips are one level for both axes",
+)
+PYGFX_SHADOW_SHARE = Tolerance(6e-3, "share of pixels off by more than 4/255, as PYGFX_SHADOW")
+PYGFX_SPOT = Tolerance(2e-3, "99.9 % of pixels of one colour in a cone; half floats; .00097 found")
+PYGFX_BEHIND = Tolerance(
+    2.5e-3, "99 % of pixels of one colour lit from behind by 3 times the light"
+)

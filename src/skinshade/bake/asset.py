@@ -12,6 +12,7 @@ from .analysis import Body, analyse
 from .gltf import read_gltf
 from .gltf_bake import BakedMesh, bake_gltf
 from .gltf_write import write_gltf
+from .maps import texture_maps, write_maps
 from .settings import BakeSettings
 from .tables import write_table
 
@@ -70,10 +71,25 @@ def bake(
     if file.suffix.lower() in GLTF and place.suffix.lower() in GLTF:
         gltf = read_gltf(file)
         baked = bake_gltf(gltf, settings, progress)
-        return BakedAsset(file, write_gltf(gltf, baked, place), baked.meshes)
+        maps = _maps(baked.meshes, place, settings)
+        return BakedAsset(file, maps + write_gltf(gltf, baked, place), baked.meshes)
     mesh = load_mesh(file, unit_mm=settings.unit_mm)
     body = Body(mesh.positions_mm, mesh.faces, mesh.normals, mesh.uvs)
     analysed = analyse(body, settings, str(file), progress)
-    write_table(place, body, analysed, mesh.unit_mm, settings)
     told = BakedMesh(file.stem, mesh.unit_mm, body, analysed, dict(mesh.repairs))
-    return BakedAsset(file, [place], [told])
+    maps = _maps([told], place, settings)
+    write_table(place, body, analysed, mesh.unit_mm, settings)
+    return BakedAsset(file, [*maps, place], [told])
+
+
+def _maps(meshes: list[BakedMesh], output: Path, settings: BakeSettings) -> list[Path]:
+    """Write the maps of every mesh, under its name where there are several."""
+    if not settings.map_size:
+        return []
+    written = []
+    for index, mesh in enumerate(meshes):
+        maps = texture_maps(mesh.body, mesh.analysed, settings.map_size)
+        stem = output.stem if len(meshes) == 1 else f"{output.stem}-{index}"
+        beside = output.with_name(f"{stem}.x")
+        written += write_maps(maps, beside, f".{settings.map_format}")
+    return written

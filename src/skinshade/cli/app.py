@@ -9,7 +9,7 @@ import typer
 
 from .._core.errors import SkinshadeError, UnitWarning
 from .._core.version import __version__
-from . import assets, doctor, lut, profile, render, shaders
+from . import assets, bake, doctor, lut, profile, render, shaders
 
 __all__ = ["app", "main"]
 
@@ -21,6 +21,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.command("render")(render.render_command)
+app.command("bake")(bake.bake_command)
 app.command("profile")(profile.profile_command)
 app.add_typer(lut.app, name="lut")
 app.add_typer(shaders.app, name="shaders")

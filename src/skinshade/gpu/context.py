@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import fields
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import wgpu
 
@@ -33,8 +33,8 @@ class SkinSource(HasLuts, Protocol):
     def params(self) -> SkinParams:
         """Numbers of the material."""
 
-    def check_tables_hold(self, params: SkinParams) -> None:
-        """Raise if other parameters need other tables."""
+    def with_params(self, params: SkinParams) -> Self:
+        """Return the same with other parameters, or raise if its tables do not hold for them."""
 
     def scatter_params(self, fetches: int = ..., luts: Sequence[str] = ...) -> ScatterParams:
         """Return numbers of the profile and of its tables."""
@@ -114,15 +114,19 @@ class SkinContext:
         ]
 
     def write(self, params: SkinParams) -> None:
-        """Fill ``skin_block`` for the draws that are submitted next.
+        """Fill both blocks for the draws that are submitted next.
 
         Raises
         ------
         ArgumentError
             If a parameter changes that the tables were made for.
         """
-        self.skin.check_tables_hold(params)
+        self.skin = self.skin.with_params(params)
         self.device.queue.write_buffer(self.skin_block, 0, params.pack())
+        self.device.queue.write_buffer(self.scatter_block, 0, self._scatter().pack())
+
+    def _scatter(self) -> ScatterParams:
+        return self.skin.scatter_params(self._fetches, LUT_NAMES)
 
     @cached_property
     def skin_block(self) -> wgpu.GPUBuffer:
@@ -132,8 +136,7 @@ class SkinContext:
     @cached_property
     def scatter_block(self) -> wgpu.GPUBuffer:
         """The profile's numbers, a uniform buffer."""
-        params = self.skin.scatter_params(self._fetches, LUT_NAMES)
-        return buffer(self.device, params.pack(), wgpu.BufferUsage.UNIFORM)
+        return buffer(self.device, self._scatter().pack(), wgpu.BufferUsage.UNIFORM)
 
     @cached_property
     def lut_sampler(self) -> wgpu.GPUSampler:

@@ -96,7 +96,7 @@ class SkinProgram:
         first_texture_unit: int = 8,
         first_uniform_block: int = 8,
     ) -> None:
-        self.skin = skin
+        self.skin, self._fetches = skin, fetches
         self._context = context
         self._units, self._slots = first_texture_unit, first_uniform_block
         source = shader_source(fragment_shader)
@@ -107,24 +107,26 @@ class SkinProgram:
         self._textures = {name: self._table(name) for name in self._tables_used()}
         self._blocks = {
             name: context.buffer(packed)
-            for name, packed in (
-                ("SkinUniforms", skin.params.pack()),
-                ("ScatterUniforms", skin.scatter_params(fetches).pack()),
-            )
+            for name, packed in self._packed().items()
             if self._uses_block(name)
         }
 
     def write(self, params: SkinParams) -> None:
-        """Fill ``skin_block`` for the draws that follow.
+        """Fill both blocks for the draws that follow.
 
         Raises
         ------
         ArgumentError
             If a parameter changes that the tables were made for.
         """
-        self.skin.check_tables_hold(params)
-        if "SkinUniforms" in self._blocks:
-            self._blocks["SkinUniforms"].write(params.pack())
+        self.skin = self.skin.with_params(params)
+        for name, packed in self._packed().items():
+            if name in self._blocks:
+                self._blocks[name].write(packed)
+
+    def _packed(self) -> dict[str, bytes]:
+        scatter = self.skin.scatter_params(self._fetches)
+        return {"SkinUniforms": self.skin.params.pack(), "ScatterUniforms": scatter.pack()}
 
     def use(self) -> None:
         """Bind blocks and tables; before a draw, if anything else has been bound since."""

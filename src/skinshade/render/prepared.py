@@ -12,6 +12,7 @@ from .._core.arrays import FloatArray, unit_vectors
 from .._core.progress import Progress, silent
 from ..mesh import mesh_uv_scale
 from ..scene import Camera, Light, Scene
+from ..scene.maps import steepened
 from ..shading.deep_scatter import poisson_disk
 from ..shading.skin import Skin
 from .cpu.geometry import Geometry, build_geometry
@@ -90,9 +91,8 @@ class PreparedScene:
             "deep_scatter": material.deep_scatter,
         }
         strength = self.skin.params.normal_strength
-        if material.normal is not None and strength != 1.0:
-            steep = material.normal * np.array([strength, strength, 1.0], dtype=np.float32)
-            maps["normal"] = steep / np.linalg.norm(steep, axis=2, keepdims=True)
+        if material.normal is not None:
+            maps["normal"] = steepened(material.normal, strength)
         there = {name: picture for name, picture in maps.items() if picture is not None}
         with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             return dict(zip(there, pool.map(build_texture, there.values()), strict=True))

@@ -15,6 +15,8 @@ __all__ = ["DirectionalLight", "Light", "SpotLight"]
 MARGIN = 1.03
 """Shadow maps reach this far past the body, so that a filter at its edge finds empty texels."""
 
+FULL_SHARE = 0.8
+"""Share of a spot light's cone within which it is full."""
 LEAST_DISTANCE_MM = 1.0
 """A lamp is no point: nearer than this the square of the distance no longer holds."""
 
@@ -88,7 +90,7 @@ class SpotLight:
     irradiance
         (3,) at the target, on a surface that faces the light; falls off with the square of distance.
     cone_deg
-        Half angle at which the light has gone, 1..80; full within four fifths of it.
+        Half angle at which the light has gone, 1..80; full within `FULL_SHARE` of it.
     """
 
     position_mm: FloatArray
@@ -104,13 +106,19 @@ class SpotLight:
         object.__setattr__(self, "irradiance", as_rgb("light irradiance", self.irradiance, low=0.0))
         as_floats("light cone_deg", self.cone_deg, (), low=1.0, high=80.0)
 
+    @property
+    def cone_cosines(self) -> tuple[float, float]:
+        """Of the angles at which the light has gone, and within which it is full."""
+        outer, inner = np.cos(np.radians([self.cone_deg, FULL_SHARE * self.cone_deg]))
+        return float(outer), float(inner)
+
     def at(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return direction (..., 3) and irradiance (..., 3) at positions (..., 3)."""
         to_light = self.position_mm - position_mm
         distance2 = np.maximum(dot(to_light, to_light), LEAST_DISTANCE_MM**2)[..., None]
         direction = unit_vectors(to_light)
         axis = self.position_mm - self.target_mm
-        outer, inner = np.cos(np.radians([self.cone_deg, 0.8 * self.cone_deg]))
+        outer, inner = self.cone_cosines
         along = dot(direction, unit_vectors(axis))[..., None]
         t = np.clip((along - outer) / (inner - outer), 0.0, 1.0)
         falloff = dot(axis, axis) / distance2

@@ -10,7 +10,7 @@ from .._core.arrays import ImageArray
 from .._core.errors import ImageFileError
 from .images import read_image
 
-__all__ = ["read_normal_map"]
+__all__ = ["read_normal_map", "steepened"]
 
 FACING_SHARE = 0.5
 """Less than this share of texels facing outwards, and a picture is no tangent-space normal map."""
@@ -32,4 +32,13 @@ def read_normal_map(path: str | os.PathLike[str]) -> ImageArray:
         )
     length = np.sqrt(np.einsum("...i,...i->...", normals, normals))[..., None]
     result: ImageArray = (normals / np.maximum(length, 1e-6)).astype(np.float32)
+    return result
+
+
+def steepened(normals: ImageArray, strength: float) -> ImageArray:
+    """Return a normal map (H, W, 3) with its slopes multiplied by a strength ≥ 0."""
+    if strength == 1.0:
+        return normals
+    steep = normals * np.array([strength, strength, 1.0], dtype=np.float32)
+    result: ImageArray = steep / np.linalg.norm(steep, axis=2, keepdims=True)
     return result

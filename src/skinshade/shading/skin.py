@@ -66,6 +66,27 @@ class Skin:
         """
         return cls(profile.scaled(params.scatter_scale), params)
 
+    def with_params(self, params: SkinParams) -> Skin:
+        """Return the same skin with other parameters, and with the tables it has.
+
+        Parameters
+        ----------
+        params
+            For which the tables hold.
+
+        Raises
+        ------
+        ArgumentError
+            Naming the parameter that needs other tables.
+        """
+        self.check_tables_hold(params)
+        other = Skin(self.profile, params)
+        made = {
+            name: value for name, value in vars(self).items() if name not in ("profile", "params")
+        }
+        vars(other).update(made)
+        return other
+
     def lut(self, name: str) -> Lut:
         """Return a table by its name in shaders, one of `LUTS`."""
         found: Lut = getattr(self, LUTS[name])

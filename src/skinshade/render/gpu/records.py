@@ -83,12 +83,11 @@ def light_params(light: Light, seen: LightView, filter_width_mm: float) -> Light
         return replace(record, direction=as_triple(light.to_light))
     away = light.position_mm - light.target_mm
     distance = float(np.linalg.norm(away))
-    outer, inner = np.cos(np.radians([light.cone_deg, 0.8 * light.cone_deg]))
     return replace(
         record,
         direction=as_triple(away / distance),
         position_mm=as_triple(light.position_mm),
-        cone_cosines=(float(outer), float(inner)),
+        cone_cosines=light.cone_cosines,
         near=1.0,
         target_distance_mm=distance,
     )

@@ -1,0 +1,215 @@
+"""One asset of a library: where it goes, whether it is current, and what became of it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from .._core.errors import ArgumentError, SkinshadeError
+from .._core.files import atomic_write
+from .._core.version import __version__
+from .asset import BakedAsset, bake
+from .gltf import read_gltf
+from .settings import BakeSettings
+
+__all__ = ["Job", "JobResult", "plan", "run"]
+
+MODELS = (".glb", ".gltf", ".obj", ".ply", ".stl")
+RECORDS = ".skinshade"
+"""Folder beside the assets: a record of each, so that what is current is not baked again."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """One asset to bake.
+
+    Attributes
+    ----------
+    source, output
+        Files.
+    record
+        Where its record lies.
+    settings
+        What is baked.
+    """
+
+    source: Path
+    output: Path
+    record: Path
+    settings: BakeSettings
+
+
+@dataclass(frozen=True)
+class JobResult:
+    """What became of it; JSON types only, the same whoever did the work.
+
+    Attributes
+    ----------
+    source, output
+        As in the job.
+    status
+        ``baked``, ``current`` (nothing to do) or ``failed``.
+    error
+        Why it failed.
+    key
+        Hash of all that goes in.
+    files
+        Hash of each file that came out, by its name.
+    meshes
+        Of each mesh: name, unit, counts, ranges, notes.
+    """
+
+    source: str
+    output: str
+    status: Literal["baked", "current", "failed"]
+    error: str = ""
+    key: str = ""
+    files: dict[str, str] = field(default_factory=dict)
+    meshes: list[dict[str, Any]] = field(default_factory=list)
+
+
+def plan(
+    sources: Iterable[Path], folder: Path, settings: BakeSettings, suffix: str | None = None
+) -> list[Job]:
+    """Return a job for every source: its place below their common folder is its place in the output.
+
+    Parameters
+    ----------
+    sources
+        Files, or folders whose models are all meant.
+    folder
+        Of the outputs.
+    settings
+        What is baked.
+    suffix
+        Of the outputs; that of the source for glTF, ``.glb`` for all else, if None.
+
+    Raises
+    ------
+    ArgumentError
+        If there is no model, or two would be written to one place.
+    """
+    models = sorted({each.resolve() for source in sources for each in _models(source)})
+    if not models:
+        raise ArgumentError("there is no model to bake; give .glb, .gltf, .obj, .ply or .stl files")
+    common = _common_folder(models)
+    jobs: dict[Path, Job] = {}
+    for source in models:
+        kept = source.suffix.lower() in (".glb", ".gltf")
+        ending = suffix or (source.suffix if kept else ".glb")
+        relative = source.relative_to(common).with_suffix(ending)
+        output = folder / relative
+        if output in jobs:
+            raise ArgumentError(
+                f"{jobs[output].source} and {source} would both become {output}; bake them apart"
+            )
+        record = folder / RECORDS / f"{relative}.json"
+        jobs[output] = Job(source, output, record, settings)
+    return list(jobs.values())
+
+
+def run(job: Job) -> JobResult:
+    """Bake an asset unless it is current; what goes wrong is told, not raised."""
+    try:
+        key = _key(job)
+        known = _known(job, key)
+        if known is not None:
+            return known
+        job.output.parent.mkdir(parents=True, exist_ok=True)
+        baked = bake(job.source, job.output, job.settings)
+        result = JobResult(
+            str(job.source),
+            str(job.output),
+            "baked",
+            key=key,
+            files={str(path.relative_to(job.output.parent)): _hash(path) for path in baked.written},
+            meshes=_told(baked),
+        )
+        job.record.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_write(job.record) as temporary:
+            temporary.write_text(json.dumps(asdict(result), indent=1) + "\n", encoding="utf-8")
+    except SkinshadeError as error:
+        return _failed(job, str(error))
+    except (MemoryError, RecursionError):
+        return _failed(job, f"{job.source}: out of memory")
+    except OSError as error:
+        return _failed(job, f"{job.source}: {error}")
+    except Exception as error:
+        return _failed(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
+    return result
+
+
+def _failed(job: Job, error: str) -> JobResult:
+    return JobResult(str(job.source), str(job.output), "failed", error=error)
+
+
+def _models(source: Path) -> list[Path]:
+    if source.is_dir():
+        return [each for each in source.rglob("*") if each.suffix.lower() in MODELS]
+    return [source]
+
+
+def _common_folder(models: list[Path]) -> Path:
+    common = models[0].parent
+    while not all(each.is_relative_to(common) for each in models):
+        common = common.parent
+    return common
+
+
+def _key(job: Job) -> str:
+    """Hash of the source, of what it refers to, of the settings and of the version."""
+    digest = hashlib.sha256(f"{__version__} {job.output.suffix} {job.settings}".encode())
+    digest.update(job.source.read_bytes() if job.source.is_file() else b"")
+    if job.source.suffix.lower() in (".glb", ".gltf"):
+        gltf = read_gltf(job.source)
+        for relative in gltf.external_files():
+            file = gltf.path.parent / relative
+            digest.update(str(relative).encode())
+            digest.update(file.read_bytes() if file.is_file() else b"")
+    return digest.hexdigest()
+
+
+def _known(job: Job, key: str) -> JobResult | None:
+    """The record of a job whose files are all there as it left them."""
+    try:
+        told = json.loads(job.record.read_text(encoding="utf-8"))
+        files = {str(name): str(value) for name, value in told["files"].items()}
+        if told["key"] != key or not files:
+            return None
+        for name, value in files.items():
+            if _hash(job.output.parent / name) != value:
+                return None
+        return JobResult(
+            str(job.source), str(job.output), "current", "", key, files, list(told["meshes"])
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def _hash(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _told(baked: BakedAsset) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": mesh.name,
+            "unit_mm": mesh.unit_mm,
+            "vertices": len(mesh.body.positions_mm),
+            "triangles": len(mesh.body.faces),
+            "size_mm": [float(each) for each in np.ptp(mesh.body.positions_mm, axis=0)],
+            "uv_scale_mm": mesh.analysed.uv_scale_mm,
+            "ranges": {
+                name: [float(values.min()), float(values.max())]
+                for name, values in mesh.analysed.attributes.items()
+            },
+            "notes": {**mesh.notes, **mesh.analysed.notes},
+        }
+        for mesh in baked.meshes
+    ]

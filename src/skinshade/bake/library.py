@@ -1,0 +1,139 @@
+"""A library of assets: on one machine's cores, or on a Dask cluster; resumed where it was cut off."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import asdict
+from importlib.util import find_spec
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+from .._core.errors import ArgumentError, BackendError, DependencyError
+from .._core.files import atomic_write
+from .._core.progress import Progress, silent
+from .._core.version import __version__
+from .jobs import Job, JobResult, run
+
+__all__ = ["bake_library", "write_report"]
+
+MOST_DEATHS = 3
+"""Workers that a job may take with it before it counts as failed."""
+
+
+def bake_library(
+    jobs: list[Job],
+    *,
+    workers: int = 1,
+    cluster: str | None = None,
+    progress: Progress = silent,
+    work: Callable[[Job], JobResult] = run,
+) -> list[JobResult]:
+    """Bake every job that is not current.
+
+    Parameters
+    ----------
+    jobs
+        Of `skinshade.bake.jobs.plan`.
+    workers
+        Processes, 1..1024; the outputs do not depend on it.
+    cluster
+        Address of a Dask scheduler (``tcp://…``), whose workers see the same files; instead of
+        processes of this machine.
+    progress
+        Called with what is being done and how far it is.
+    work
+        Does one job.
+
+    Returns
+    -------
+    list
+        A result for each job, in their order. A job that fails stops no other.
+
+    Raises
+    ------
+    ArgumentError, DependencyError, BackendError
+        If the number of workers is out of range, Dask is not installed, or its scheduler not there.
+    """
+    if not 1 <= workers <= 1024:
+        raise ArgumentError(f"jobs is {workers}; it must be 1..1024 processes")
+    if cluster is not None:
+        finished = _on_cluster(jobs, cluster, work)
+    elif workers == 1:
+        finished = ((index, work(job)) for index, job in enumerate(jobs))
+    else:
+        finished = _on_processes(jobs, workers, work)
+    results: dict[int, JobResult] = {}
+    for index, result in finished:
+        results[index] = result
+        progress("baking", len(results) / len(jobs))
+    return [results[index] for index in range(len(jobs))]
+
+
+def write_report(results: list[JobResult], path: Path) -> None:
+    """Write what became of every asset, as JSON."""
+    count = dict.fromkeys(("baked", "current", "failed"), 0)
+    for each in results:
+        count[each.status] += 1
+    content: dict[str, Any] = {"version": __version__, **count}
+    content["assets"] = [asdict(each) for each in results]
+    with atomic_write(path) as temporary:
+        temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+
+
+def _on_processes(
+    jobs: list[Job], workers: int, work: Callable[[Job], JobResult]
+) -> Iterator[tuple[int, JobResult]]:
+    deaths = dict.fromkeys(range(len(jobs)), 0)
+    left = set(deaths)
+    while left:
+        # One job a worker at a time after a death, so that it is known whose it was.
+        careful = any(deaths[index] for index in left)
+        batch = [min(left, key=lambda index: -deaths[index])] if careful else sorted(left)
+        with ProcessPoolExecutor(1 if careful else workers, get_context("spawn")) as pool:
+            futures = {pool.submit(work, jobs[index]): index for index in batch}
+            broken = []
+            for future in as_completed(futures):
+                index = futures[future]
+                try:
+                    result = future.result()
+                except BrokenProcessPool:
+                    broken.append(index)
+                    continue
+                left.discard(index)
+                yield index, result
+        for index in broken:
+            deaths[index] += 1
+            if deaths[index] >= MOST_DEATHS:
+                left.discard(index)
+                job = jobs[index]
+                why = f"{job.source}: its process was killed {MOST_DEATHS} times; is memory short?"
+                yield index, JobResult(str(job.source), str(job.output), "failed", error=why)
+
+
+def _on_cluster(
+    jobs: list[Job], address: str, work: Callable[[Job], JobResult]
+) -> Iterator[tuple[int, JobResult]]:
+    if find_spec("distributed") is None:
+        raise DependencyError('Dask is not installed: pip install "skinshade[dask]"')
+    import distributed
+
+    dask: Any = distributed
+    try:
+        client = dask.Client(address, timeout="10s", set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise BackendError(f"{address}: no Dask scheduler answers there ({error})") from None
+    with client:
+        futures = [client.submit(work, job, retries=MOST_DEATHS, pure=False) for job in jobs]
+        places = {future.key: index for index, future in enumerate(futures)}
+        for future in dask.as_completed(futures):
+            job = jobs[places[future.key]]
+            try:
+                result = future.result()
+            except Exception as error:  # what a cluster says of workers that died, or of lost data
+                why = f"{job.source}: the cluster gave up on it ({type(error).__name__}: {error})"
+                result = JobResult(str(job.source), str(job.output), "failed", error=why)
+            yield places[future.key], result
