@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
 
-from .._core.errors import MeshFileError
+from .._core.errors import ArgumentError, MeshFileError
 from .._core.files import existing_file
 
 __all__ = ["GltfFile", "read_gltf"]
@@ -179,7 +179,7 @@ def read_gltf(path: Path) -> GltfFile:
 
 
 def _refuse_constant(name: str) -> float:
-    raise ValueError(f"{name} is no JSON number")
+    raise ArgumentError(f"{name} is no JSON number")
 
 
 def _chunks(file: Path, data: bytes) -> tuple[bytes, bytes | None]:

@@ -14,15 +14,21 @@ import numpy as np
 from .._core.errors import ArgumentError, SkinshadeError
 from .._core.files import atomic_write
 from .._core.version import __version__
+from ..profile import Profile
+from ..scene.images import write_png
 from .asset import BakedAsset, bake
 from .gltf import read_gltf
 from .settings import BakeSettings
+from .thumbnails import thumbnails
 
 __all__ = ["Job", "JobResult", "plan", "run"]
 
 MODELS = (".glb", ".gltf", ".obj", ".ply", ".stl")
 RECORDS = ".skinshade"
 """Folder beside the assets: a record of each, so that what is current is not baked again."""
+
+
+HISTOGRAM_BINS = 48
 
 
 @dataclass(frozen=True)
@@ -33,16 +39,20 @@ class Job:
     ----------
     source, output
         Files.
-    record
-        Where its record lies.
+    record, picture
+        Where its record lies, and its thumbnails.
     settings
         What is baked.
+    pictured
+        Whether thumbnails are wanted.
     """
 
     source: Path
     output: Path
     record: Path
+    picture: Path
     settings: BakeSettings
+    pictured: bool = False
 
 
 @dataclass(frozen=True)
@@ -62,7 +72,7 @@ class JobResult:
     files
         Hash of each file that came out, by its name.
     meshes
-        Of each mesh: name, unit, counts, ranges, notes.
+        Of each mesh: name, unit, counts, ranges, histograms, notes.
     """
 
     source: str
@@ -75,7 +85,12 @@ class JobResult:
 
 
 def plan(
-    sources: Iterable[Path], folder: Path, settings: BakeSettings, suffix: str | None = None
+    sources: Iterable[Path],
+    folder: Path,
+    settings: BakeSettings,
+    suffix: str | None = None,
+    *,
+    pictured: bool = False,
 ) -> list[Job]:
     """Return a job for every source: its place below their common folder is its place in the output.
 
@@ -89,6 +104,8 @@ def plan(
         What is baked.
     suffix
         Of the outputs; that of the source for glTF, ``.glb`` for all else, if None.
+    pictured
+        Whether thumbnails are wanted.
 
     Raises
     ------
@@ -109,8 +126,8 @@ def plan(
             raise ArgumentError(
                 f"{jobs[output].source} and {source} would both become {output}; bake them apart"
             )
-        record = folder / RECORDS / f"{relative}.json"
-        jobs[output] = Job(source, output, record, settings)
+        record, picture = (folder / RECORDS / f"{relative}.{kind}" for kind in ("json", "png"))
+        jobs[output] = Job(source, output, record, picture, settings, pictured)
     return list(jobs.values())
 
 
@@ -132,6 +149,9 @@ def run(job: Job) -> JobResult:
             meshes=_told(baked),
         )
         job.record.parent.mkdir(parents=True, exist_ok=True)
+        if job.pictured:
+            profile = Profile.preset(job.settings.profile)
+            write_png(job.picture, thumbnails(baked.meshes, profile))
         with atomic_write(job.record) as temporary:
             temporary.write_text(json.dumps(asdict(result), indent=1) + "\n", encoding="utf-8")
     except SkinshadeError as error:
@@ -180,7 +200,7 @@ def _known(job: Job, key: str) -> JobResult | None:
     try:
         told = json.loads(job.record.read_text(encoding="utf-8"))
         files = {str(name): str(value) for name, value in told["files"].items()}
-        if told["key"] != key or not files:
+        if told["key"] != key or not files or (job.pictured and not job.picture.is_file()):
             return None
         for name, value in files.items():
             if _hash(job.output.parent / name) != value:
@@ -207,6 +227,10 @@ def _told(baked: BakedAsset) -> list[dict[str, Any]]:
             "uv_scale_mm": mesh.analysed.uv_scale_mm,
             "ranges": {
                 name: [float(values.min()), float(values.max())]
+                for name, values in mesh.analysed.attributes.items()
+            },
+            "histograms": {
+                name: np.histogram(values, bins=HISTOGRAM_BINS)[0].tolist()
                 for name, values in mesh.analysed.attributes.items()
             },
             "notes": {**mesh.notes, **mesh.analysed.notes},

@@ -6,16 +6,17 @@ from pathlib import Path
 
 import typer
 
-from .._core.errors import ArgumentError, OutputError
+from .._core.errors import ArgumentError, InputError, OutputError
 from .._core.units import parse_unit_mm
 from ..bake import BakeSettings, bake
 from ..bake.jobs import JobResult, plan
 from ..bake.library import bake_library, write_report
+from ..bake.report import write_page
 from .progress import terminal_progress
 
 __all__ = ["bake_command"]
 
-REPORT = "skinshade-bake.json"
+REPORT, PAGE = "skinshade-bake.json", "skinshade-bake.html"
 
 
 def bake_command(
@@ -41,6 +42,9 @@ def bake_command(
     suffix: str = typer.Option(
         None, "--format", help="glb, ply, usda or usdc; a folder's glTF files stay what they are."
     ),
+    report: bool = typer.Option(
+        False, "--report", help="Write a page with thumbnails and histograms too."
+    ),
     jobs: int = typer.Option(1, help="Processes."),
     cluster: str = typer.Option(
         None, help="Address of a Dask scheduler, tcp://…, instead of processes."
@@ -65,6 +69,7 @@ def bake_command(
         and not sources[0].is_dir()
         and output.suffix != ""
         and not output.is_dir()
+        and not report
     )
     if one:
         _bake_one(sources[0], output, settings)
@@ -74,11 +79,15 @@ def bake_command(
     missing = [each for each in sources if not each.exists()]
     if missing:
         raise ArgumentError(f"{missing[0]}: no such file or folder")
-    planned = plan(sources, output, settings, None if suffix is None else f".{suffix}")
+    ending = None if suffix is None else f".{suffix}"
+    planned = plan(sources, output, settings, ending, pictured=report)
     with terminal_progress() as progress:
         results = bake_library(planned, workers=jobs, cluster=cluster, progress=progress)
     output.mkdir(parents=True, exist_ok=True)
     write_report(results, output / REPORT)
+    if report:
+        write_page(planned, results, output / PAGE)
+        typer.echo(f"{output / PAGE}: open it in a browser")
     _tell(results, output)
 
 
@@ -107,4 +116,4 @@ def _tell(results: list[JobResult], output: Path) -> None:
         f" {output / REPORT}"
     )
     if failed:
-        raise typer.Exit(2)
+        raise InputError(f"{len(failed)} of {len(results)} models failed")

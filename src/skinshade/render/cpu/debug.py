@@ -8,7 +8,7 @@ from ..._core.arrays import FloatArray
 from ...shading.pixel import Incident, Surface
 from ...shading.tonemap import linear_from_srgb
 
-__all__ = ["debug_image"]
+__all__ = ["curvature_colour", "debug_image"]
 
 CURVATURE_RANGE_PER_MM = 0.2
 THICKNESS_RANGE_MM = 30.0
@@ -21,10 +21,7 @@ def debug_image(view: str, surface: Surface, lights: list[Incident]) -> FloatArr
     if view == "blurred-normal":
         return linear_from_srgb(0.5 + 0.5 * surface.blurred)
     if view == "curvature":
-        share = np.clip(surface.curvature_per_mm / CURVATURE_RANGE_PER_MM, -1.0, 1.0)[:, None]
-        convex, concave = np.array([0.85, 0.20, 0.10]), np.array([0.10, 0.30, 0.85])
-        ends = np.where(share > 0.0, convex, concave)
-        return linear_from_srgb(0.92 + (ends - 0.92) * np.sqrt(np.abs(share)))
+        return curvature_colour(surface.curvature_per_mm)
     if view == "thickness":
         found = [light.thickness_mm for light in lights if light.thickness_mm is not None]
         thickness = np.min(found, axis=0) if found else np.zeros(surface.gloss.size)
@@ -35,6 +32,14 @@ def debug_image(view: str, surface: Surface, lights: list[Incident]) -> FloatArr
     if view == "albedo":
         return surface.albedo
     return None
+
+
+def curvature_colour(curvature_per_mm: FloatArray) -> FloatArray:
+    """Return linear light (N, 3): red where convex, blue where concave, full at the range's ends."""
+    share = np.clip(curvature_per_mm / CURVATURE_RANGE_PER_MM, -1.0, 1.0)[:, None]
+    convex, concave = np.array([0.85, 0.20, 0.10]), np.array([0.10, 0.30, 0.85])
+    ends = np.where(share > 0.0, convex, concave)
+    return linear_from_srgb(0.92 + (ends - 0.92) * np.sqrt(np.abs(share)))
 
 
 def _grey(share: FloatArray) -> FloatArray:
