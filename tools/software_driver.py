@@ -16,27 +16,37 @@ HOW = f"""No Vulkan driver was found, so tests on the GPU will be skipped.
 Install your GPU's driver, or Mesa's software rasteriser: {DRIVER} on Debian, Ubuntu and Fedora."""
 
 
-def adapters() -> int:
-    """Return how many Vulkan adapters a new process finds."""
-    script = (
-        "import wgpu; print(sum(a.info['backend_type'] == 'Vulkan'"
-        " for a in wgpu.gpu.enumerate_adapters_sync()))"
+def succeeds(script: str) -> bool:
+    """Return whether a new process runs a script to its end: this one may have looked before."""
+    return subprocess.run([sys.executable, "-c", script], capture_output=True).returncode == 0
+
+
+def driver_is_there() -> bool:
+    """Return whether a Vulkan adapter is found."""
+    return succeeds(
+        "import wgpu; assert any(a.info['backend_type'] == 'Vulkan'"
+        " for a in wgpu.gpu.enumerate_adapters_sync())"
     )
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
-    return int(done.stdout.strip() or 0) if done.returncode == 0 else 0
+
+
+def install(packages: list[str]) -> None:
+    """Install Debian's packages where the user may; one that fails leaves the others."""
+    root = hasattr(os, "geteuid") and os.geteuid() == 0
+    if not (packages and root and shutil.which("apt-get")):
+        return
+    print(f"Installing {' and '.join(packages)}", flush=True)
+    quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
+    one_by_one = (["install", "--yes", "--no-install-recommends", each] for each in packages)
+    for command in (["update"], *one_by_one):
+        subprocess.run(["apt-get", "-qq", *command], env=quiet, check=False)
 
 
 def main() -> None:
     """Look, install where possible, and tell."""
-    missing = [DRIVER] if not adapters() else []
+    missing = [] if driver_is_there() else [DRIVER]
     missing += [COMPILER] if shutil.which("glslangValidator") is None else []
-    root = hasattr(os, "geteuid") and os.geteuid() == 0
-    if missing and root and shutil.which("apt-get"):
-        print(f"Installing {' and '.join(missing)}")
-        quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-        for command in (["update"], ["install", "--yes", "--no-install-recommends", *missing]):
-            subprocess.run(["apt-get", "-qq", *command], env=quiet, check=False)
-    if not adapters():
+    install(missing)
+    if not driver_is_there():
         print(HOW)
 
 

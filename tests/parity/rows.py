@@ -1,117 +1,143 @@
-"""Running one function of the shader library on rows of numbers, on a real driver."""
+"""Rows of numbers in, rows out: what the runners of all languages share.
+
+A row is the arguments of one call, float by float; tables and textures come beside the rows.
+"""
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field
-from importlib.resources import files
+from dataclasses import dataclass
 
 import numpy as np
-import wgpu
 
+from skinshade.codegen.build import GENERATED
 from skinshade.codegen.kernels import WIDTHS, WORKGROUP, row_length
-from skinshade.codegen.signatures import FLOATS
+from skinshade.codegen.signatures import FLOATS, NUMBERS, signatures
 
 
-@dataclass
+@dataclass(frozen=True)
+class Texture:
+    """Texels (H, W, 4), and how they are sampled, in WebGPU's words."""
+
+    rgba: np.ndarray
+    sampled: dict[str, str]
+
+    @property
+    def linear(self):
+        return self.sampled.get("mag_filter") == "linear"
+
+    @property
+    def around(self):
+        """Whether u goes on at the other edge; else, as v, it stops at its own."""
+        return self.sampled.get("address_mode_u") == "repeat"
+
+
 class Runner:
-    """A device with the kernels of every function."""
+    """One function at a time in one language; call it as the test does."""
 
-    device: object
-    module: object
-    pipelines: dict = field(default_factory=dict)
-
-    @classmethod
-    def on(cls, device):
-        text = files("skinshade.shaders").joinpath("generated/kernels.wgsl").read_text("utf-8")
-        return cls(device, device.create_shader_module(code=text))
-
-    def __call__(self, signature, values, tables=None):
+    def __call__(self, signature, values, tables):
         """Return (N, ...) of a function, given (N, ...) by parameter name and tables by theirs.
 
         A table is its texels (H, W, 3), its four axes where it has them, and how it is sampled.
         """
         count = len(next(iter(values.values())))
-        padded = -(-count // WORKGROUP) * WORKGROUP
-        rows, columns = [], {}
-        for parameter in signature.parameters:
-            if parameter.kind in ("lut", "tex2d"):
-                texels, axes, sampled = tables[parameter.name]
-                columns[parameter.name] = texels, sampled
-            if parameter.kind == "lut":
-                rows.append(np.tile(np.asarray(axes, dtype=np.float64), (count, 1)))
-            elif parameter.kind != "tex2d":
-                flat = np.asarray(values[parameter.name], dtype=np.float64).reshape(count, -1)
-                assert flat.shape[1] == WIDTHS[parameter.kind], parameter
-                rows.append(flat)
-        data = np.zeros((padded, row_length(signature)), dtype=np.float32)
-        data[:count] = np.concatenate(rows, axis=1)
-        width = FLOATS[signature.returns]
-        usage = wgpu.BufferUsage
-        inputs = self.device.create_buffer_with_data(data=data, usage=usage.STORAGE)
-        outputs = self.device.create_buffer(
-            size=4 * padded * width, usage=usage.STORAGE | usage.COPY_SRC
-        )
-        pipeline = self._pipeline(signature.name)
-        entries = self._entries(signature.name, columns, inputs, outputs)
-        encoder = self.device.create_command_encoder()
-        run = encoder.begin_compute_pass()
-        run.set_pipeline(pipeline)
-        run.set_bind_group(
-            0,
-            self.device.create_bind_group(
-                layout=pipeline.get_bind_group_layout(0), entries=entries
-            ),
-        )
-        run.dispatch_workgroups(padded // WORKGROUP)
-        run.end()
-        self.device.queue.submit([encoder.finish()])
-        read = np.frombuffer(self.device.queue.read_buffer(outputs), dtype=np.float32)
-        result = read.reshape(padded, width)[:count]
+        rows, textures = packed(signature, values, tables, count)
+        found = self.run(signature, rows, textures)[:count]
         if signature.returns == "float3x3":
-            return result.reshape(count, 3, 3)
-        return result[:, 0] if width == 1 else result
+            return found.reshape(count, 3, 3)
+        return found[:, 0] if FLOATS[signature.returns] == 1 else found
 
-    def _pipeline(self, name):
-        entry = name.replace("skin_", "run_", 1)
-        if name not in self.pipelines:
-            self.pipelines[name] = self.device.create_compute_pipeline(
-                layout="auto", compute={"module": self.module, "entry_point": entry}
-            )
-        return self.pipelines[name]
+    def run(self, signature, rows, textures):
+        """Return (rows, floats of a result)."""
+        raise NotImplementedError
 
-    def _entries(self, name, tables, inputs, outputs):
-        places = bindings()
-        entries = [
-            {"binding": places["inputs"], "resource": {"buffer": inputs}},
-            {"binding": places["outputs"], "resource": {"buffer": outputs}},
-        ]
-        for table, (texels, sampled) in tables.items():
-            entries.append({"binding": places[table], "resource": self._texture(texels)})
-            sampler = self.device.create_sampler(**sampled)
-            entries.append({"binding": places[f"{table}_sampler"], "resource": sampler})
-        return entries
-
-    def _texture(self, texels):
-        height, width, _ = texels.shape
-        rgba = np.ones((height, width, 4), dtype=np.float32)
-        rgba[..., :3] = texels
-        texture = self.device.create_texture(
-            size=(width, height, 1),
-            format="rgba32float",
-            usage=wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST,
-        )
-        self.device.queue.write_texture(
-            {"texture": texture},
-            rgba,
-            {"bytes_per_row": 16 * width, "rows_per_image": height},
-            (width, height, 1),
-        )
-        return texture.create_view()
+    def close(self):
+        """Give back what is held outside this process."""
 
 
-def bindings():
-    """Binding of every global of the kernels, by name."""
-    text = files("skinshade.shaders").joinpath("generated/kernels.wgsl").read_text("utf-8")
-    found = re.findall(r"@binding\((\d+)\) @group\(0\) var(?:<[^>]*>)? (\w+?)_0 :", text)
-    return {name: int(binding) for binding, name in found}
+def packed(signature, values, tables, count):
+    """Return float32 rows, filled up to whole work groups, and textures by name."""
+    columns, textures = [np.zeros((count, 0))], {}
+    for parameter in signature.parameters:
+        if parameter.kind in ("lut", "tex2d"):
+            texels, axes, sampled = tables[parameter.name]
+            rgba = np.ones((*texels.shape[:2], 4), dtype=np.float32)
+            rgba[..., :3] = texels
+            textures[parameter.name] = Texture(rgba, sampled)
+            given = [] if axes is None else axes
+            columns.append(np.tile(np.asarray(given, dtype=np.float64), (count, 1)))
+        else:
+            columns.append(np.asarray(values[parameter.name], dtype=np.float64).reshape(count, -1))
+        assert columns[-1].shape[1] == WIDTHS[parameter.kind], parameter
+    rows = np.zeros((-(-count // WORKGROUP) * WORKGROUP, row_length(signature)), dtype=np.float32)
+    rows[:count] = np.concatenate(columns, axis=1)
+    return rows, textures
+
+
+def generated(name):
+    """Text of a generated file."""
+    return (GENERATED / name).read_text("utf-8")
+
+
+def texture_names(functions):
+    """Of all that these functions sample."""
+    parameters = [each for function in functions for each in function.parameters]
+    return sorted({each.name for each in parameters if each.kind in ("lut", "tex2d")})
+
+
+def places():
+    """A binding for everything that some kernel of ours reads or writes, by name."""
+    pairs = [(name, f"{name}_sampler") for name in texture_names(signatures())]
+    order = ["inputs", "outputs", *(each for pair in pairs for each in pair)]
+    return {name: number for number, name in enumerate(order)}
+
+
+# -- the text of a call ----------------------------------------------------------------------------
+
+GLSL = {
+    "float": "float", "float2": "vec2", "float3": "vec3", "float4": "vec4",
+    "float3x3": "mat3", "float4x4": "mat4", "int": "int",
+}  # fmt: skip
+WGSL = {
+    "float": "f32", "float2": "vec2<f32>", "float3": "vec3<f32>", "float4": "vec4<f32>",
+    "float3x3": "mat3x3<f32>", "float4x4": "mat4x4<f32>", "int": "i32",
+}  # fmt: skip
+HLSL = {name: name for name in NUMBERS}
+
+
+def call(signature, types, read, *, combined=False):
+    """Text of a call, where ``read(i)`` is float i of the row.
+
+    A matrix takes its floats row by row in every language: what is a row of a float3x3 to the
+    library is a column of a mat3 to its translations, and is built and read with the same index.
+    """
+    arguments, start = [], 0
+    for each in signature.parameters:
+        if each.kind in ("lut", "tex2d"):
+            arguments += [each.name] if combined else [each.name, f"{each.name}_sampler"]
+        if each.kind != "tex2d":
+            kind = "float4" if each.kind == "lut" else each.kind
+            numbers = ", ".join(read(start + index) for index in range(NUMBERS[kind]))
+            arguments.append(f"{types[kind]}({numbers})")
+        start += WIDTHS[each.kind]
+    return f"{signature.name}({', '.join(arguments)})"
+
+
+def parts(signature):
+    """Text of every float of ``result``."""
+    width = FLOATS[signature.returns]
+    if signature.returns == "float3x3":
+        return [f"result[{index // 3}][{index % 3}]" for index in range(width)]
+    return ["result"] if width == 1 else [f"result[{index}]" for index in range(width)]
+
+
+def statements(signature, types, *, index_type, result_type, combined=False):
+    """A kernel's inside: from ``inputs`` by a call to ``outputs``, in GLSL's and WGSL's words."""
+    text = call(signature, types, lambda index: f"inputs[at + {index}u]", combined=combined)
+    width = FLOATS[signature.returns]
+    lines = [
+        f"{index_type} at = row * {row_length(signature)}u;",
+        f"{result_type} result = {text};",
+    ]
+    each_part = enumerate(parts(signature))
+    lines += [f"outputs[row * {width}u + {index}u] = {part};" for index, part in each_part]
+    return "\n".join(f"    {line}" for line in lines)

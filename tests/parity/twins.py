@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import import_module
 
 import numpy as np
 
+from skinshade.codegen.signatures import twin_module
 from skinshade.lut import build_curvature_lut, build_shadow_lut
 from skinshade.lut.classic import classic_curvature_lut
 from skinshade.profile import Profile
 from skinshade.scene import Environment
 from skinshade.shading.normals import NormalBlend
-
-MODULES = {"energy": "skinshade.profile.energy"}
-"""Where a file's twin is not ``skinshade.shading`` and its name."""
 
 ONE_FOR_ALL = {
     "filter_width_mm", "map_size", "offset_mm", "radius_mm", "sharpening", "strength", "uv_scale_mm",
@@ -27,7 +26,7 @@ SKIN = Profile.preset("skin-deon2007")
 
 
 def twin_of(signature):
-    module = import_module(MODULES.get(signature.file, f"skinshade.shading.{signature.file}"))
+    module = import_module(twin_module(signature))
     return getattr(module, signature.twin)
 
 
@@ -57,11 +56,15 @@ def lut_of(signature):
     elif signature.file == "classic":
         lut = classic_curvature_lut(SKIN, size=(512, 64))
     else:
-        kernel = "sphere" if signature.twin == "direct_scalar" else "ring"
-        lut = build_curvature_lut(
-            SKIN, size=(512, 128), radius_mm=(0.5, 4000.0), kernel=kernel, energy_gain=False
-        )
+        lut = curvature_table("sphere" if signature.twin == "direct_scalar" else "ring")
     return (lut.values, axes_of(lut), LINEAR), lut
+
+
+@cache
+def curvature_table(kernel):
+    return build_curvature_lut(
+        SKIN, size=(512, 128), radius_mm=(0.5, 4000.0), kernel=kernel, energy_gain=False
+    )
 
 
 def axes_of(lut):
