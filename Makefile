@@ -23,6 +23,7 @@ check: $(VENV)/.tools
 
 bench: $(VENV)/.ready
 	$(BIN)/python benchmarks/performance.py
+	$(BIN)/python benchmarks/bake_scale.py
 	$(BIN)/python benchmarks/gpu_cost.py
 
 # What the compiler makes of shaders/skin; a test proves that it is committed.

@@ -6,6 +6,8 @@ on random triangulations that halves the error, because an edge gives the curvat
 
 from __future__ import annotations
 
+import os
+from concurrent.futures import ThreadPoolExecutor
 from typing import Literal
 
 import numpy as np
@@ -22,7 +24,7 @@ from .._core.arrays import (
 )
 from .._core.errors import ArgumentError
 from .normals import tangent_frame, vertex_normals
-from .topology import corner_areas, half_edges, weld
+from .topology import Neighbours, corner_areas, half_edges, weld
 
 __all__ = ["CurvatureMethod", "mesh_curvature", "mesh_curvature_tensor", "tensor_to_world"]
 
@@ -156,20 +158,24 @@ def _fit(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
     count = p.shape[0]
-    one, other = half_edges(faces)
-    step = [axis[other] - axis[one] for axis in np.ascontiguousarray(p.T)]
-    turn = [axis[other] - axis[one] for axis in np.ascontiguousarray(normals.T)]
-    weight = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
-    weight = 1.0 / np.maximum(weight, np.finfo(np.float64).tiny)
-    # Both moments are the same seen from either end, so they are summed in world axes and turned into
-    # each vertex's frame afterwards: a third of the work of turning every edge.
+    neighbours = Neighbours.of(faces, count)
     spread, response = np.empty((count, 6)), np.empty((count, 6))
-    for entry, (i, j) in enumerate(SYMMETRIC):
-        weighted = weight * step[i]
-        each = weighted * step[j]
-        spread[:, entry] = np.bincount(one, each, count) + np.bincount(other, each, count)
-        each = 0.5 * (weighted * turn[j] + weight * step[j] * turn[i])
-        response[:, entry] = np.bincount(one, each, count) + np.bincount(other, each, count)
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        differences = list(pool.map(neighbours.differences, (*p.T, *normals.T)))
+        step, turn = differences[:3], differences[3:]
+        weight = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
+        weight = 1.0 / np.maximum(weight, np.finfo(np.float64).tiny)
+        weighted = list(pool.map(weight.__mul__, step))
+
+        def gather(entry: int) -> None:
+            # In world axes, and turned into each vertex's frame afterwards: a third of the work of
+            # turning every edge.
+            i, j = SYMMETRIC[entry]
+            spread[:, entry] = neighbours.sums(weighted[i] * step[j])
+            each = weighted[i] * turn[j] + weighted[j] * turn[i]
+            response[:, entry] = 0.5 * neighbours.sums(each)
+
+        list(pool.map(gather, range(len(SYMMETRIC))))
     u, v = tangent_frame(normals)
     along_u, along_v = apply_symmetric(spread, u), apply_symmetric(spread, v)
     xx, xy, yy = dot(along_u, u), dot(along_u, v), dot(along_v, v)
@@ -202,15 +208,19 @@ def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -
     if passes == 0:
         return values
     area = corner_areas(p, faces, p.shape[0])
-    at = faces.ravel()
-    uses = np.maximum(np.bincount(at, minlength=p.shape[0]), 1)
-    around = area[faces]
-    share = around / np.maximum(around.sum(axis=1, keepdims=True), np.finfo(np.float64).tiny)
+    corners = [np.ascontiguousarray(column) for column in faces.T]
+    uses = np.maximum(np.bincount(faces.ravel(), minlength=p.shape[0]), 1)
+    around = [area[column] for column in corners]
+    total = np.maximum(around[0] + around[1] + around[2], np.finfo(np.float64).tiny)
+    shares = [each / total for each in around]
     result = values.copy()
     for _ in range(passes):
         for column in range(values.shape[1]):
-            mean = (share * result[:, column][faces]).sum(axis=1)
-            result[:, column] = np.bincount(at, np.repeat(mean, 3), p.shape[0]) / uses
+            value = np.ascontiguousarray(result[:, column])
+            a, b, c = (share * value[at] for share, at in zip(shares, corners, strict=True))
+            mean = a + b + c
+            a, b, c = (np.bincount(at, mean, p.shape[0]) for at in corners)
+            result[:, column] = (a + b + c) / uses
     return result
 
 

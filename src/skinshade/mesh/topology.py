@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import TypeVar
+
 import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
 
 from .._core.arrays import FloatArray, IntArray, dot
 
-__all__ = ["corner_areas", "face_areas", "half_edges", "open_edge_counts", "weld"]
+__all__ = ["Neighbours", "corner_areas", "face_areas", "half_edges", "open_edge_counts", "weld"]
+
+Index = TypeVar("Index", np.int32, np.int64)
 
 
 def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
@@ -26,9 +33,76 @@ def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
     return group.astype(np.int64).ravel(), first.astype(np.int64)
 
 
-def half_edges(faces: IntArray) -> tuple[IntArray, IntArray]:
+def half_edges(faces: NDArray[Index]) -> tuple[NDArray[Index], NDArray[Index]]:
     """Return both ends (3F,), (3F,) of every side of every face: an inner edge once each way."""
     return faces.ravel(), faces[:, [1, 2, 0]].ravel()
+
+
+@dataclass(frozen=True)
+class Neighbours:
+    """Who stands at the other end of the edges of each vertex, vertex by vertex.
+
+    An edge counts at both its ends, half for each face beside it.
+
+    Attributes
+    ----------
+    starts
+        (V + 1,) where the edges of each vertex begin.
+    ends
+        (E,) the other end of each.
+    shares
+        (E,) how much each counts, or None where every one has two faces.
+    """
+
+    starts: NDArray[np.int32]
+    ends: NDArray[np.int32]
+    shares: FloatArray | None
+
+    @classmethod
+    def of(cls, faces: IntArray, count: int) -> Neighbours:
+        """Return the neighbours of each of a number of vertices."""
+        one, other = half_edges(faces.astype(np.int32))
+        shares = np.ones(one.size)
+        alone = _perhaps_alone(one, other, count)
+        if alone.size:
+            # Between two faces an edge is met once from each end; these are seen from both.
+            shares[alone] = 0.5
+            one, other = np.append(one, other[alone]), np.append(other, one[alone])
+            shares = np.append(shares, shares[alone])
+        table = sparse.coo_array((shares, (one, other)), shape=(count, count)).tocsr()
+        uneven = bool((table.data != 1.0).any())
+        return cls(table.indptr, table.indices, table.data if uneven else None)
+
+    def differences(self, values: FloatArray) -> FloatArray:
+        """Return (E,) how much a value (V,) is more at the other end."""
+        here = np.ascontiguousarray(values)
+        return here[self.ends] - np.repeat(here, np.diff(self.starts))
+
+    def sums(self, values: FloatArray) -> FloatArray:
+        """Return (V,) sums of values (E,) over the edges of each vertex."""
+        starts, degree = self.starts[:-1], np.diff(self.starts)
+        counted = values if self.shares is None else values * self.shares
+        padded = np.append(counted, 0.0)
+        found: FloatArray = np.add.reduceat(padded, starts)
+        found[degree == 0] = 0.0
+        return found
+
+
+def _perhaps_alone(
+    one: NDArray[np.int32], other: NDArray[np.int32], count: int
+) -> NDArray[np.int64]:
+    """Half-edges among which are all that have no partner the other way.
+
+    A number for each vertex, summed over where its edges go and over where they come from, tells those
+    apart whose edges do not pair: sums of whole numbers below 2^53 are exact.
+    """
+    number = np.random.default_rng(1).integers(1, 1 << 40, count).astype(np.float64)
+    there = np.bincount(one, number[other], count)
+    back = np.bincount(other, number[one], count)
+    unpaired = there != back
+    if not unpaired.any():
+        return np.zeros(0, dtype=np.int64)
+    return np.flatnonzero(unpaired[one] & unpaired[other])
 
 
 def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
