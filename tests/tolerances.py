@@ -106,3 +106,6 @@ SCAN_SIZE_MM = Tolerance(1.0, "the scan's size is known to the millimetre")
 SCAN_FILES_AGREE_MM = Tolerance(0.01, "two files of one scan, rounded to six digits, mm")
 SCAN_CURVATURE = Tolerance(0.05, "percentiles of curvature of both files; relative to their RMS")
 SCAN_CORRELATION = Tolerance(0.93, "of both files' curvature, split into other triangles")
+QUANTISED_NORMALS = Tolerance(
+    3e-3, "normals in 8 bits are 0.2° off, of the 17° that a coarse edge spans; smoothed; relative"
+)

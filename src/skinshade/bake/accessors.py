@@ -10,13 +10,11 @@ from .._core.arrays import FloatArray, IntArray
 from .._core.errors import MeshFileError
 from .gltf import GltfFile
 
-__all__ = ["read_accessor", "read_matrices", "read_triangles"]
+__all__ = ["as_floats_of", "read_accessor", "read_matrices", "read_triangles", "view_bytes"]
 
 COMPONENTS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 """Numbers of the types that are read; smaller matrices stand nowhere in the format's own attributes."""
-MOST_WITHOUT_BYTES = 1 << 24
-"""Elements of an accessor that is all zeros: it has no bytes of its own to bound it."""
 TRIANGLES, STRIP, FAN = 4, 5, 6
 
 
@@ -31,21 +29,23 @@ def read_accessor(gltf: GltfFile, index: Any, where: str, *, width: int) -> Floa
     accessor = gltf.item("accessors", index, where)
     here = f"{gltf.path}: {where}: accessor {index}"
     kind, components = accessor.get("type"), accessor.get("componentType")
-    if kind not in WIDTHS or WIDTHS[kind] != width:
+    if not isinstance(kind, str) or WIDTHS.get(kind) != width:
         raise MeshFileError(f"{here} is of type {kind!r}; {width} numbers are needed")
     dtype = _component(components, here)
     count = _whole(accessor.get("count"), here, "count", least=1)
+    normalized = accessor.get("normalized", False)
+    if not isinstance(normalized, bool):
+        raise MeshFileError(f"{here}: normalized is {normalized!r}; it must be true or false")
     if "bufferView" in accessor:
         offset = _whole(accessor.get("byteOffset", 0), here, "byteOffset")
         view = accessor["bufferView"]
         values = _strided(gltf, view, offset, count, width, dtype, here)
     else:
-        if count > MOST_WITHOUT_BYTES:
-            raise MeshFileError(f"{here} has {count} elements and no bytes")
+        gltf.ask(count * width, here)
         values = np.zeros((count, width), dtype=dtype)
     if "sparse" in accessor:
         values = _with_sparse(gltf, accessor["sparse"], values, here)
-    return _floats(values, bool(accessor.get("normalized", False)))
+    return as_floats_of(values, normalized)
 
 
 def read_matrices(gltf: GltfFile, index: Any, where: str) -> FloatArray:
@@ -73,6 +73,8 @@ def read_triangles(
         accessor = gltf.item("accessors", primitive["indices"], f"{where}: indices")
         if accessor.get("componentType") not in (5121, 5123, 5125):
             raise MeshFileError(f"{gltf.path}: {where}: indices are not unsigned integers")
+        if accessor.get("normalized"):
+            raise MeshFileError(f"{gltf.path}: {where}: indices are normalized, and so none")
         values = read_accessor(gltf, primitive["indices"], f"{where}: indices", width=1)
         corners = values[:, 0].astype(np.int64)
     else:
@@ -102,6 +104,24 @@ def _unrolled(corners: IntArray, mode: int) -> IntArray:
     return faces[(a != b) & (b != c) & (c != a)]
 
 
+def view_bytes(gltf: GltfFile, index: Any, where: str) -> bytes:
+    """Return the bytes of a buffer view.
+
+    Raises
+    ------
+    MeshFileError
+        If it is malformed, or reaches past its buffer.
+    """
+    here = f"{gltf.path}: {where}"
+    view = gltf.item("bufferViews", index, where)
+    data = gltf.buffer(view.get("buffer"), f"{where}: bufferView {index}")
+    start = _whole(view.get("byteOffset", 0), here, "bufferView.byteOffset")
+    length = _whole(view.get("byteLength"), here, "bufferView.byteLength", least=1)
+    if start + length > len(data):
+        raise MeshFileError(f"{here}: bufferView {index} ends past its buffer of {len(data)} bytes")
+    return data[start : start + length]
+
+
 def _strided(
     gltf: GltfFile,
     view_index: Any,
@@ -127,6 +147,7 @@ def _strided(
             f"{here} needs {needed} bytes of bufferView {view_index}, which has {length} from {start}"
             f" in a buffer of {len(data)}"
         )
+    gltf.ask(count * width, here)
     table = np.ndarray((count, width), dtype, data, start + offset, (stride, dtype.itemsize))
     return table.copy()
 
@@ -158,7 +179,8 @@ def _component(code: Any, here: str) -> np.dtype[Any]:
     return np.dtype(COMPONENTS[code])
 
 
-def _floats(values: np.ndarray[Any, Any], normalized: bool) -> FloatArray:
+def as_floats_of(values: np.ndarray[Any, Any], normalized: bool) -> FloatArray:
+    """Return stored numbers as float64; integers in -1..1 or 0..1 where they are normalised."""
     result: FloatArray = values.astype(np.float64)
     if normalized and values.dtype.kind in "iu":
         result = np.maximum(result / np.iinfo(values.dtype).max, -1.0)

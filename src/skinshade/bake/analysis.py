@@ -17,6 +17,9 @@ from .settings import BakeSettings
 
 __all__ = ["Analysed", "Body", "analyse"]
 
+LARGEST_FLOAT = float(np.finfo(np.float32).max)
+"""Of the numbers that files keep."""
+
 
 @dataclass(frozen=True)
 class Body:
@@ -85,6 +88,10 @@ def analyse(body: Body, settings: BakeSettings, name: str, progress: Progress = 
             points, faces, normals, rays=settings.rays, tracing=settings.tracing, progress=progress
         )
         attributes["thickness"] = found[:, None]
+    for key, values in attributes.items():
+        most = float(np.abs(values).max())
+        if not most <= LARGEST_FLOAT:  # NaN is not
+            raise MeshError(f"{name}: {key} reaches {most:g}; is its unit right?")
     scale = None
     if body.uvs is not None and np.isfinite(body.uvs).all():
         try:

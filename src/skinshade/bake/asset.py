@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from .._core.progress import Progress, silent
-from ..mesh import load_mesh
+from ..mesh import Mesh, load_mesh
 from .analysis import Body, analyse
 from .gltf import read_gltf
-from .gltf_bake import BakedMesh, bake_gltf
+from .gltf_bake import METRE_MM, BakedMesh, bake_gltf, read_scene
 from .gltf_write import write_gltf
 from .maps import texture_maps, write_maps
 from .settings import BakeSettings
@@ -68,18 +68,32 @@ def bake(
     """
     settings = settings or BakeSettings()
     file, place = Path(source), Path(output)
-    if file.suffix.lower() in GLTF and place.suffix.lower() in GLTF:
+    is_gltf = file.suffix.lower() in GLTF
+    if is_gltf and place.suffix.lower() in GLTF:
         gltf = read_gltf(file)
         baked = bake_gltf(gltf, settings, progress)
         maps = _maps(baked.meshes, place, settings)
         return BakedAsset(file, maps + write_gltf(gltf, baked, place), baked.meshes)
-    mesh = load_mesh(file, unit_mm=settings.unit_mm)
+    mesh = _scene(file, settings) if is_gltf else load_mesh(file, unit_mm=settings.unit_mm)
     body = Body(mesh.positions_mm, mesh.faces, mesh.normals, mesh.uvs)
     analysed = analyse(body, settings, str(file), progress)
     told = BakedMesh(file.stem, mesh.unit_mm, body, analysed, dict(mesh.repairs))
     maps = _maps([told], place, settings)
     write_table(place, body, analysed, mesh.unit_mm, settings)
     return BakedAsset(file, [*maps, place], [told])
+
+
+def _scene(file: Path, settings: BakeSettings) -> Mesh:
+    """A glTF scene as one mesh, read as carefully as one that stays glTF."""
+    body, unit = read_scene(read_gltf(file), settings), settings.unit_mm or METRE_MM
+    return Mesh.checked(
+        body.positions_mm / unit,
+        body.faces,
+        unit_mm=unit,
+        normals=body.normals,
+        uvs=body.uvs,
+        name=str(file),
+    )
 
 
 def _maps(meshes: list[BakedMesh], output: Path, settings: BakeSettings) -> list[Path]:

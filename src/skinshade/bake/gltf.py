@@ -5,8 +5,10 @@ from __future__ import annotations
 import base64
 import binascii
 import json
+import math
 import struct
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -20,11 +22,14 @@ __all__ = ["GltfFile", "read_gltf"]
 MAGIC, VERSION = b"glTF", 2
 JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
 REFUSED = {
-    "KHR_draco_mesh_compression": "Draco",
     "EXT_meshopt_compression": "meshopt",
     "KHR_meshopt_compression": "meshopt",
 }
 """Extensions whose geometry cannot be read here."""
+DEEPEST = 128
+"""Arrays and objects within each other; no exporter nests a tenth of that, and readers recurse."""
+ASKED_AT_ALL, ASKED_FOR_EACH_BYTE = 1 << 24, 32
+"""Bytes of numbers that accessors may ask for: a byte becomes eight as float64, and some are shared."""
 
 
 @dataclass
@@ -39,12 +44,17 @@ class GltfFile:
         Its JSON; what is added goes here.
     binary
         The chunk that a GLB carries, or None.
+    chunks
+        What else a GLB carries: type and content.
     """
 
     path: Path
     document: dict[str, Any]
     binary: bytes | None = None
+    chunks: list[tuple[int, bytes]] = field(default_factory=list)
     _buffers: dict[int, bytes] = field(default_factory=dict)
+    _items: dict[str, list[Any]] = field(default_factory=dict)
+    _asked: int = 0
 
     @property
     def is_binary(self) -> bool:
@@ -59,10 +69,12 @@ class GltfFile:
         MeshFileError
             If it is no array of objects.
         """
-        found = self.document.get(key, [])
-        if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
-            raise MeshFileError(f"{self.path}: {key} is not an array of objects")
-        return found
+        if key not in self._items:
+            found = self.document.get(key, [])
+            if not isinstance(found, list) or not all(isinstance(each, dict) for each in found):
+                raise MeshFileError(f"{self.path}: {key} is not an array of objects")
+            self._items[key] = found
+        return self._items[key]
 
     def item(self, key: str, index: Any, where: str) -> dict[str, Any]:
         """Return one entry of a top-level array.
@@ -92,6 +104,21 @@ class GltfFile:
         if index not in self._buffers:
             self._buffers[index] = self._loaded(index, described)
         return self._buffers[index]
+
+    def ask(self, count: int, here: str) -> None:
+        """Count numbers that are about to be made of the file's bytes.
+
+        Raises
+        ------
+        MeshFileError
+            If there are far more of them than its bytes can mean: a few bytes read over and over.
+        """
+        self._asked += 8 * count
+        held = sum(map(len, self._buffers.values()))
+        if self._asked > ASKED_AT_ALL + ASKED_FOR_EACH_BYTE * held:
+            raise MeshFileError(
+                f"{here} asks for {count} numbers too many: the file has {held} bytes"
+            )
 
     def external_files(self) -> list[Path]:
         """Return the files that the document refers to, relative to its folder.
@@ -140,8 +167,12 @@ class GltfFile:
         folder = self.path.parent.resolve()
         if "://" in uri:
             raise MeshFileError(f"{self.path}: {uri!r} is not a file beside it; fetch it first")
-        place = (folder / unquote(uri)).resolve()
-        if "\0" in uri or not place.is_relative_to(folder):
+        try:
+            place = (folder / unquote(uri)).resolve()
+            place.exists()
+        except (OSError, ValueError, RuntimeError) as error:  # too long, a NUL, links in a circle
+            raise MeshFileError(f"{self.path}: {uri[:80]!r} is no file's name ({error})") from None
+        if not place.is_relative_to(folder):
             raise MeshFileError(f"{self.path}: {uri!r} leaves the asset's folder")
         return place
 
@@ -156,9 +187,15 @@ def read_gltf(path: Path) -> GltfFile:
     """
     file = existing_file(path, MeshFileError)
     data = file.read_bytes()
-    text, binary = _chunks(file, data) if data[:4] == MAGIC else (data, None)
+    text, binary, chunks = _chunks(file, data) if data[:4] == MAGIC else (data, None, [])
     try:
-        document = json.loads(text.decode("utf-8-sig"), parse_constant=_refuse_constant)
+        document = json.loads(
+            text.decode("utf-8-sig"),
+            parse_constant=_refuse_constant,
+            parse_float=_finite,
+            object_pairs_hook=_object,
+        )
+        _refuse_depth(document)
     except (ValueError, RecursionError) as error:
         raise MeshFileError(f"{file}: its JSON cannot be read ({error})") from None
     if not isinstance(document, dict):
@@ -167,7 +204,7 @@ def read_gltf(path: Path) -> GltfFile:
     version = asset.get("version") if isinstance(asset, dict) else None
     if not isinstance(version, str) or not version.startswith("2."):
         raise MeshFileError(f"{file}: is glTF {version!r}; glTF 2 is read")
-    found = GltfFile(file, document, binary)
+    found = GltfFile(file, document, binary, chunks)
     used = document.get("extensionsRequired", [])
     for name, called in REFUSED.items():
         if isinstance(used, list) and name in used:
@@ -182,7 +219,32 @@ def _refuse_constant(name: str) -> float:
     raise ArgumentError(f"{name} is no JSON number")
 
 
-def _chunks(file: Path, data: bytes) -> tuple[bytes, bytes | None]:
+def _finite(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value):
+        raise ArgumentError(f"{text[:40]} is larger than any number that can be kept")
+    return value
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        twice, _ = Counter(key for key, _ in pairs).most_common(1)[0]
+        raise ArgumentError(f"an object has the key {twice[:40]!r} twice")
+    return found
+
+
+def _refuse_depth(document: Any) -> None:
+    level = [document]
+    for _ in range(DEEPEST):
+        inner = [each.values() if isinstance(each, dict) else each for each in level]
+        level = [part for each in inner for part in each if isinstance(part, (dict, list))]
+        if not level:
+            return
+    raise ArgumentError(f"it nests deeper than {DEEPEST} levels")
+
+
+def _chunks(file: Path, data: bytes) -> tuple[bytes, bytes | None, list[tuple[int, bytes]]]:
     if len(data) < 20:
         raise MeshFileError(f"{file}: ends within its header")
     _, version, length = struct.unpack_from("<4sII", data)
@@ -193,8 +255,9 @@ def _chunks(file: Path, data: bytes) -> tuple[bytes, bytes | None]:
     found = list(_split(file, data[:length]))
     if not found or found[0][0] != JSON_CHUNK:
         raise MeshFileError(f"{file}: does not begin with a JSON chunk")
-    binary = next((content for kind, content in found[1:] if kind == BINARY_CHUNK), None)
-    return found[0][1], binary
+    text, *others = found
+    binary = next((content for kind, content in others if kind == BINARY_CHUNK), None)
+    return text[1], binary, [each for each in others if each[0] != BINARY_CHUNK]
 
 
 def _split(file: Path, data: bytes) -> Iterator[tuple[int, bytes]]:
@@ -207,18 +270,27 @@ def _split(file: Path, data: bytes) -> Iterator[tuple[int, bytes]]:
         at += 8 + length
 
 
-def glb_bytes(document: dict[str, Any], binary: bytes) -> bytes:
-    """Return a GLB of a document and its chunk."""
+def glb_bytes(
+    document: dict[str, Any], binary: bytes, chunks: Iterable[tuple[int, bytes]] = ()
+) -> bytes:
+    """Return a GLB of a document, its buffer, and chunks of other types."""
     text = json_bytes(document)
     text += b" " * (-len(text) % 4)
     binary += b"\0" * (-len(binary) % 4)
     parts = [struct.pack("<II", len(text), JSON_CHUNK), text]
     if binary:
         parts += [struct.pack("<II", len(binary), BINARY_CHUNK), binary]
+    for kind, content in chunks:
+        parts += [struct.pack("<II", len(content), kind), content]
     body = b"".join(parts)
     return struct.pack("<4sII", MAGIC, VERSION, 12 + len(body)) + body
 
 
 def json_bytes(document: dict[str, Any]) -> bytes:
     """Return a document as compact JSON."""
-    return json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
+    compact = (",", ":")
+    try:
+        text = json.dumps(document, ensure_ascii=False, separators=compact, allow_nan=False)
+        return text.encode("utf-8")
+    except UnicodeEncodeError:  # half a surrogate pair, which JSON can escape and UTF-8 cannot hold
+        return json.dumps(document, separators=compact, allow_nan=False).encode("ascii")

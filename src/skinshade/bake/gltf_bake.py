@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .._core.arrays import FloatArray, IntArray
+from .._core.arrays import FloatArray, IntArray, dot
 from .._core.errors import MeshFileError
 from .._core.progress import Progress, silent
 from .._core.version import __version__
@@ -19,7 +19,7 @@ from .gltf import REFUSED, GltfFile
 from .placement import placements, scale_of
 from .settings import BakeSettings
 
-__all__ = ["NEW_BUFFER", "BakedMesh", "GltfBake", "bake_gltf"]
+__all__ = ["NEW_BUFFER", "BakedMesh", "GltfBake", "bake_gltf", "read_scene"]
 
 METRE_MM = 1000.0
 FLOAT, ARRAY_BUFFER = 5126, 34962
@@ -29,6 +29,10 @@ NAMES = {
     "thickness": (("_THICKNESS", slice(0, 1)),),
 }
 """Attributes of a primitive, and which numbers of the analysis they hold: xx xy xz, then yy yz zz."""
+WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
+"""Attributes that are read, and how many numbers each has."""
+WANTED = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
+"""What the analysis takes of a primitive, and how many numbers each has."""
 UNITS = {"curvature": "1/mm", "tensor": "1/mm", "thickness": "mm"}
 TYPES = {1: "SCALAR", 3: "VEC3"}
 
@@ -102,57 +106,129 @@ def bake_gltf(gltf: GltfFile, settings: BakeSettings, progress: Progress = silen
     """
     standing = placements(gltf)
     meshes = gltf.items("meshes")
-    baked, analysed = [], {}
+    # Meshes that differ in their materials alone are analysed once.
+    known: dict[str, tuple[list[_Part], Body, Analysed] | None] = {}
+    baked = []
+    writer = _Writer(gltf)
     for index, mesh in enumerate(meshes):
         progress("baking", index / len(meshes))
-        found = _read_mesh(gltf, mesh, index, standing.get(index, []), settings)
-        if found is not None:
-            unit, parts, body, notes = found
-            name = str(mesh.get("name") or index)
-            result = analyse(body, settings, f"{gltf.path}: mesh {name}", progress)
-            analysed[index] = (parts, result)
+        name = str(mesh.get("name") or index)
+        unit, notes = _unit_mm(gltf, index, standing.get(index, []), settings)
+        key = f"{unit} {_geometry_of(gltf, mesh, index)}"
+        if key not in known:
+            found = _read_mesh(gltf, mesh, index, unit)
+            known[key] = found and (
+                *found,
+                analyse(found[1], settings, f"{gltf.path}: mesh {name}", progress),
+            )
+        if (there := known[key]) is not None:
+            parts, body, result = there
+            writer.add(index, parts, result, unit, settings)
             baked.append(BakedMesh(name, unit, body, result, notes))
     if not baked:
         raise MeshFileError(f"{gltf.path}: holds no triangles")
-    writer = _Writer(gltf)
-    for (index, (parts, result)), each in zip(analysed.items(), baked, strict=True):
-        writer.add(index, parts, result, each.unit_mm, settings)
     return GltfBake(writer.document, bytes(writer.added), baked)
 
 
-def _read_mesh(
-    gltf: GltfFile,
-    mesh: dict[str, Any],
-    index: int,
-    placed: list[FloatArray],
-    settings: BakeSettings,
-) -> tuple[float, list[_Part], Body, dict[str, int]] | None:
+def read_scene(gltf: GltfFile, settings: BakeSettings) -> Body:
+    """Return all meshes as the scene shows them, skinned ones in their bind pose, as one body.
+
+    Raises
+    ------
+    MeshFileError
+        If the file is malformed, or holds no triangles.
+    """
+    unit = settings.unit_mm or METRE_MM
+    standing = placements(gltf)
+    bodies = []
+    for index, mesh in enumerate(gltf.items("meshes")):
+        placed = standing.get(index, [] if "nodes" in gltf.document else [np.eye(4)])
+        found = _read_mesh(gltf, mesh, index, unit) if placed else None
+        if found is not None:
+            for matrix in placed:
+                gltf.ask(
+                    found[1].positions_mm.size + found[1].faces.size, f"{gltf.path}: mesh {index}"
+                )
+                bodies.append(_placed(found[1], matrix, unit))
+    if not bodies:
+        raise MeshFileError(f"{gltf.path}: holds no triangles")
+    starts = np.cumsum([0, *(len(each.positions_mm) for each in bodies[:-1])])
+    faces = [each.faces + start for each, start in zip(bodies, starts, strict=True)]
+    return Body(
+        np.concatenate([each.positions_mm for each in bodies]),
+        np.concatenate(faces),
+        _all_of([each.normals for each in bodies]),
+        _all_of([each.uvs for each in bodies]),
+    )
+
+
+def _placed(body: Body, matrix: FloatArray, unit: float) -> Body:
+    rows, normals = matrix[:3, :3], body.normals
+    # Normals turn by the cofactors, which a scale of zero along an axis leaves finite.
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused later
+        cofactors = np.cross(np.roll(rows, -1, axis=0), np.roll(rows, -2, axis=0))
+        mirrored = float(dot(rows[0], cofactors[0])) < 0.0
+        if normals is not None:
+            normals = normals @ (-cofactors if mirrored else cofactors).T
+        positions = body.positions_mm @ rows.T + unit * matrix[:3, 3]
+    return Body(positions, body.faces[:, ::-1] if mirrored else body.faces, normals, body.uvs)
+
+
+def _unit_mm(
+    gltf: GltfFile, index: int, placed: list[FloatArray], settings: BakeSettings
+) -> tuple[float, dict[str, int]]:
+    """Length of a mesh's unit where it stands first, and what is to be said of it."""
     notes: dict[str, int] = {}
     unit = settings.unit_mm or METRE_MM
     if placed:
         scale, even = scale_of(placed[0])
-        others = {round(scale_of(each)[0] / max(scale, 1e-300), 3) for each in placed}
+        if not 1e-9 < scale < 1e9:
+            raise MeshFileError(f"{gltf.path}: mesh {index}: its node scales it by {scale:g}")
+        others = {round(scale_of(each)[0] / scale, 3) for each in placed}
         if not even:
             notes["meshes of uneven scale"] = 1
         if others != {1.0}:
             notes["meshes shown at several scales"] = 1
-        if not 1e-9 < scale < 1e9:
-            raise MeshFileError(f"{gltf.path}: mesh {index}: its node scales it by {scale:g}")
         unit *= scale
     elif "nodes" in gltf.document:
         notes["meshes that no node shows"] = 1
+    return unit, notes
+
+
+def _geometry_of(gltf: GltfFile, mesh: dict[str, Any], index: int) -> str:
+    """What the triangles of a mesh are made of: the same for meshes of the same."""
+    return repr(
+        [
+            (number, each.get("indices"), each.get("mode"), _vertices_of(each))
+            for number, each in _triangle_primitives(gltf, mesh, index)
+        ]
+    )
+
+
+def _vertices_of(primitive: dict[str, Any]) -> str:
+    return repr([primitive["attributes"].get(name) for name in WIDTHS])
+
+
+def _read_mesh(
+    gltf: GltfFile, mesh: dict[str, Any], index: int, unit: float
+) -> tuple[list[_Part], Body] | None:
     parts, columns, faces, start = [], [], [], 0
+    known: dict[str, slice] = {}
     for number, primitive in _triangle_primitives(gltf, mesh, index):
         where = f"mesh {index}: primitive {number}"
-        table = _columns(gltf, primitive, where)
-        count = len(table["POSITION"])
-        faces.append(read_triangles(gltf, primitive, count, where) + start)
-        columns.append(table)
-        parts.append(_Part(number, slice(start, start + count)))
-        start += count
+        key = _vertices_of(primitive)
+        if key not in known:  # primitives often share their vertices, and differ in indices
+            table = _columns(gltf, primitive, where)
+            known[key] = slice(start, start + len(table["POSITION"]))
+            columns.append(table)
+            start = known[key].stop
+        vertices = known[key]
+        count = vertices.stop - vertices.start
+        faces.append(read_triangles(gltf, primitive, count, where) + vertices.start)
+        parts.append(_Part(number, vertices))
     if not parts or not sum(map(len, faces)):
         return None
-    return unit, parts, _joined(columns, np.concatenate(faces), unit), notes
+    return parts, _joined(columns, np.concatenate(faces), unit)
 
 
 def _triangle_primitives(
@@ -165,8 +241,13 @@ def _triangle_primitives(
         attributes = primitive.get("attributes")
         if not isinstance(attributes, dict):
             raise MeshFileError(f"{gltf.path}: mesh {index}: primitive {number} has no attributes")
+        extensions = primitive.get("extensions", {})
+        if not isinstance(extensions, dict):
+            raise MeshFileError(
+                f"{gltf.path}: mesh {index}: primitive {number}: extensions is no object"
+            )
         for name, called in REFUSED.items():
-            if name in (primitive.get("extensions") or {}):
+            if name in extensions:
                 raise MeshFileError(
                     f"{gltf.path}: mesh {index}: primitive {number} is compressed by {called}, which is"
                     " not decoded here; export it uncompressed"
@@ -180,10 +261,9 @@ def _triangle_primitives(
 
 def _columns(gltf: GltfFile, primitive: dict[str, Any], where: str) -> dict[str, FloatArray]:
     attributes = primitive["attributes"]
-    wanted = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
     table = {
         name: read_accessor(gltf, attributes[name], f"{where}: {name}", width=width)
-        for name, width in wanted.items()
+        for name, width in WIDTHS.items()
         if name in attributes
     }
     count = len(table["POSITION"])
@@ -197,15 +277,16 @@ def _columns(gltf: GltfFile, primitive: dict[str, Any], where: str) -> dict[str,
 
 def _joined(columns: list[dict[str, FloatArray]], faces: IntArray, unit: float) -> Body:
     """One body of all primitives; what not all of them have is left out."""
+    positions = np.concatenate([table["POSITION"] for table in columns])
+    normals, uvs = (
+        _all_of([table.get(name) for table in columns]) for name in ("NORMAL", "TEXCOORD_0")
+    )
+    return Body(positions * unit, faces, normals, uvs)
 
-    def all_of(name: str) -> FloatArray | None:
-        if not all(name in table for table in columns):
-            return None
-        return np.concatenate([table[name] for table in columns])
 
-    positions = all_of("POSITION")
-    assert positions is not None
-    return Body(positions * unit, faces, all_of("NORMAL"), all_of("TEXCOORD_0"))
+def _all_of(parts: list[FloatArray | None]) -> FloatArray | None:
+    found = [each for each in parts if each is not None]
+    return np.concatenate(found) if len(found) == len(parts) else None
 
 
 NEW_BUFFER = -1
@@ -218,6 +299,7 @@ class _Writer:
     def __init__(self, gltf: GltfFile) -> None:
         self.document = copy.deepcopy(gltf.document)
         self.added = bytearray()
+        self._known: dict[tuple[int, str, int], tuple[Analysed, int]] = {}
 
     def add(
         self,
@@ -234,7 +316,11 @@ class _Writer:
                 told[name] = UNITS[key]
                 for part in parts:
                     attributes = mesh["primitives"][part.number]["attributes"]
-                    attributes[name] = self._accessor(values[part.vertices, numbers])
+                    place = (id(result), name, part.vertices.start)
+                    if place not in self._known:
+                        added = self._accessor(values[part.vertices, numbers])
+                        self._known[place] = result, added
+                    attributes[name] = self._known[place][1]
         extras = mesh.setdefault("extras", {})
         if isinstance(extras, dict):
             extras["skinshade"] = {

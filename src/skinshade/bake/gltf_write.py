@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import itertools
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -10,7 +11,7 @@ from urllib.parse import quote
 from .._core.errors import ArgumentError
 from .._core.files import atomic_write
 from .gltf import GltfFile, glb_bytes, json_bytes
-from .gltf_bake import NEW_BUFFER, GltfBake
+from .gltf_bake import GltfBake
 
 __all__ = ["write_gltf"]
 
@@ -54,14 +55,13 @@ def write_gltf(gltf: GltfFile, baked: GltfBake, output: Path) -> list[Path]:
     start = -(-len(first) // 4) * 4
     data = first + b"\0" * (start - len(first)) + baked.added
     buffers[at]["byteLength"] = len(data)
-    for view in document["bufferViews"]:
-        if view["buffer"] == NEW_BUFFER:
-            view |= {"buffer": at, "byteOffset": view["byteOffset"] + start}
+    for view in document["bufferViews"][len(gltf.items("bufferViews")) :]:
+        view |= {"buffer": at, "byteOffset": view["byteOffset"] + start}
     contents: dict[Path, bytes] = _carried(gltf, document, output)
     if to_binary:
-        contents[output] = glb_bytes(document, data)
+        contents[output] = glb_bytes(document, data, gltf.chunks)
     else:
-        beside = output.with_name(f"{output.stem}.skinshade.bin")
+        beside = _new_file(output, document, gltf)
         buffers[at]["uri"] = quote(beside.name)
         contents |= {beside: data, output: json_bytes(document)}
     for path, content in contents.items():
@@ -69,6 +69,13 @@ def write_gltf(gltf: GltfFile, baked: GltfBake, output: Path) -> list[Path]:
         with atomic_write(path) as temporary:
             temporary.write_bytes(content)
     return list(contents)
+
+
+def _new_file(output: Path, document: dict[str, Any], gltf: GltfFile) -> Path:
+    """A name for the new buffer that no other buffer or image bears, such as those of a bake before."""
+    taken = {str(each) for each in GltfFile(gltf.path, document).external_files()}
+    names = (f"{output.stem}.skinshade{number or ''}.bin" for number in itertools.count())
+    return output.with_name(next(name for name in names if name not in taken))
 
 
 def _carried(gltf: GltfFile, document: dict[str, Any], output: Path) -> dict[Path, bytes]:

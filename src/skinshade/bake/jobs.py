@@ -112,20 +112,26 @@ def plan(
     ArgumentError
         If there is no model, or two would be written to one place.
     """
-    models = sorted({each.resolve() for source in sources for each in _models(source)})
+    models = sorted({each.resolve() for source in sources for each in _models(source, folder)})
     if not models:
-        raise ArgumentError("there is no model to bake; give .glb, .gltf, .obj, .ply or .stl files")
+        raise ArgumentError(
+            "there is no model to bake; give .glb, .gltf, .obj, .ply or .stl files outside the output"
+        )
     common = _common_folder(models)
     jobs: dict[Path, Job] = {}
+    taken: dict[Path, Path] = {}
     for source in models:
         kept = source.suffix.lower() in (".glb", ".gltf")
         ending = suffix or (source.suffix if kept else ".glb")
         relative = source.relative_to(common).with_suffix(ending)
         output = folder / relative
-        if output in jobs:
-            raise ArgumentError(
-                f"{jobs[output].source} and {source} would both become {output}; bake them apart"
-            )
+        if output.resolve() in models:
+            raise ArgumentError(f"{output}: is to be baked itself; choose another output folder")
+        # Texture maps are named after the asset without its suffix.
+        place = output.with_suffix("") if settings.map_size else output
+        other = taken.setdefault(place, source)
+        if other != source:
+            raise ArgumentError(f"{other} and {source} would both become {place}; bake them apart")
         record, picture = (folder / RECORDS / f"{relative}.{kind}" for kind in ("json", "png"))
         jobs[output] = Job(source, output, record, picture, settings, pictured)
     return list(jobs.values())
@@ -169,10 +175,13 @@ def _failed(job: Job, error: str) -> JobResult:
     return JobResult(str(job.source), str(job.output), "failed", error=error)
 
 
-def _models(source: Path) -> list[Path]:
-    if source.is_dir():
-        return [each for each in source.rglob("*") if each.suffix.lower() in MODELS]
-    return [source]
+def _models(source: Path, folder: Path) -> list[Path]:
+    """The models below a folder, but for those that were baked into it."""
+    if not source.is_dir():
+        return [source]
+    baked = folder.resolve()
+    found = [each for each in source.rglob("*") if each.suffix.lower() in MODELS and each.is_file()]
+    return [each for each in found if not each.resolve().is_relative_to(baked)]
 
 
 def _common_folder(models: list[Path]) -> Path:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict
 from importlib.util import find_spec
@@ -90,28 +91,47 @@ def _on_processes(
     deaths = dict.fromkeys(range(len(jobs)), 0)
     left = set(deaths)
     while left:
-        # One job a worker at a time after a death, so that it is known whose it was.
-        careful = any(deaths[index] for index in left)
-        batch = [min(left, key=lambda index: -deaths[index])] if careful else sorted(left)
-        with ProcessPoolExecutor(1 if careful else workers, get_context("spawn")) as pool:
-            futures = {pool.submit(work, jobs[index]): index for index in batch}
-            broken = []
-            for future in as_completed(futures):
-                index = futures[future]
-                try:
-                    result = future.result()
-                except BrokenProcessPool:
-                    broken.append(index)
-                    continue
+        # After a death those that it took are tried one at a time, so that it is known whose it was.
+        suspects = sorted(index for index in left if deaths[index])
+        batch = suspects[:1] or sorted(left)
+        for index, result in _until_a_death(jobs, batch, workers, work):
+            if result is not None:
                 left.discard(index)
                 yield index, result
-        for index in broken:
+                continue
             deaths[index] += 1
             if deaths[index] >= MOST_DEATHS:
                 left.discard(index)
                 job = jobs[index]
                 why = f"{job.source}: its process was killed {MOST_DEATHS} times; is memory short?"
                 yield index, JobResult(str(job.source), str(job.output), "failed", error=why)
+
+
+def _until_a_death(
+    jobs: list[Job], batch: list[int], workers: int, work: Callable[[Job], JobResult]
+) -> Iterator[tuple[int, JobResult | None]]:
+    """Results of a batch until a process dies; None for those that were under way then."""
+    waiting, under_way = deque(batch), dict[Future[JobResult], int]()
+    broken = False
+    with ProcessPoolExecutor(min(workers, len(batch)), get_context("spawn")) as pool:
+        while under_way or (waiting and not broken):
+            # As many as there are processes, and no more: a death breaks all that were handed over.
+            while waiting and len(under_way) < workers and not broken:
+                try:
+                    under_way[pool.submit(work, jobs[waiting[0]])] = waiting[0]
+                except BrokenProcessPool:
+                    broken = True
+                else:
+                    waiting.popleft()
+            for future in wait(under_way, return_when=FIRST_COMPLETED).done:
+                index = under_way.pop(future)
+                try:
+                    result = future.result()
+                except BrokenProcessPool:
+                    broken = True
+                    yield index, None
+                else:
+                    yield index, result
 
 
 def _on_cluster(

@@ -18,6 +18,8 @@ Placement = FloatArray
 
 UNEVEN = 1.001
 """Ratio of the longest to the shortest axis of a scale that is still taken for even."""
+LARGEST = 1e12
+"""Metres to a place, or times a size, beyond which nothing is meant."""
 
 
 def placements(gltf: GltfFile) -> dict[int, list[Placement]]:
@@ -40,6 +42,8 @@ def placements(gltf: GltfFile) -> dict[int, list[Placement]]:
         matrix = world[index]
         if "skin" in node:
             matrix = _bind_pose(gltf, node["skin"], world, index)
+        if not np.isfinite(matrix).all():
+            raise MeshFileError(f"{gltf.path}: node {index} does not stand at a finite place")
         found.setdefault(node["mesh"], []).append(matrix)
     return found
 
@@ -47,7 +51,8 @@ def placements(gltf: GltfFile) -> dict[int, list[Placement]]:
 def scale_of(matrix: Placement) -> tuple[float, bool]:
     """Return how much longer lengths become, and whether evenly so in all directions."""
     lengths = np.linalg.svd(matrix[:3, :3], compute_uv=False)
-    mean = float(np.cbrt(np.prod(lengths)))
+    with np.errstate(over="ignore"):
+        mean = float(np.cbrt(np.prod(lengths)))
     if abs(mean - 1.0) < 1e-6:  # a rotation in single precision
         mean = 1.0
     return mean, bool(lengths[0] <= UNEVEN * lengths[-1])
@@ -67,7 +72,8 @@ def _world_matrices(gltf: GltfFile, nodes: list[dict[str, Any]]) -> dict[int, Pl
             at = parents.get(at)
         matrix = np.eye(4) if at is None else world[at]
         for each in reversed(chain):
-            matrix = matrix @ local[each]
+            with np.errstate(over="ignore", invalid="ignore"):  # what comes of it is checked
+                matrix = matrix @ local[each]
             world[each] = matrix
     return world
 
@@ -115,15 +121,20 @@ def _bind_pose(
     matrix = world[joints[0]]
     if "inverseBindMatrices" in skin:
         where = f"skin {skin_index}: inverseBindMatrices"
-        matrix = matrix @ read_matrices(gltf, skin["inverseBindMatrices"], where)[0]
+        with np.errstate(over="ignore", invalid="ignore"):
+            matrix = matrix @ read_matrices(gltf, skin["inverseBindMatrices"], where)[0]
     return matrix
 
 
 def _numbers(value: Any, count: int, here: str) -> FloatArray:
-    try:
-        array = np.array(value, dtype=np.float64)
-    except (TypeError, ValueError, OverflowError):
-        array = np.zeros(0)
-    if array.shape != (count,) or not np.isfinite(array).all() or np.abs(array).max() > 1e12:
-        raise MeshFileError(f"{here} is {value!r}; it must be {count} numbers")
-    return array
+    fits = (
+        isinstance(value, list)
+        and len(value) == count
+        and all(isinstance(each, (int, float)) and not isinstance(each, bool) for each in value)
+        and all(abs(each) <= LARGEST for each in value)  # NaN is not
+    )
+    if not fits:
+        raise MeshFileError(
+            f"{here} is {value!r:.200}; it must be {count} numbers within ±{LARGEST:g}"
+        )
+    return np.array(value, dtype=np.float64)

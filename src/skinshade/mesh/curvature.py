@@ -159,7 +159,8 @@ def _fit(
     """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
     count = p.shape[0]
     neighbours = Neighbours.of(faces, count)
-    spread, response = np.empty((count, 6)), np.empty((count, 6))
+    # A column of each is in one piece.
+    spread, response = np.empty((6, count)).T, np.empty((6, count)).T
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         differences = list(pool.map(neighbours.differences, (*p.T, *normals.T)))
         step, turn = differences[:3], differences[3:]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from .._core.arrays import FloatArray, IntArray, dot
+from .._core.arrays import FloatArray, IntArray
 
 __all__ = ["Neighbours", "corner_areas", "face_areas", "half_edges", "open_edge_counts", "weld"]
 
@@ -107,9 +107,14 @@ def _perhaps_alone(
 
 def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
     """Return (F,) areas in the square of the positions' unit."""
-    p = positions[faces]
-    normal = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-    return 0.5 * np.sqrt(dot(normal, normal))
+    # An axis at a time: NumPy's cross product of rows takes three times as long.
+    axes = [np.ascontiguousarray(axis) for axis in positions.T]
+    a, b, c = (np.ascontiguousarray(column) for column in faces.T)
+    origin = [axis[a] for axis in axes]
+    x, y, z = (axis[b] - start for axis, start in zip(axes, origin, strict=True))
+    u, v, w = (axis[c] - start for axis, start in zip(axes, origin, strict=True))
+    square = np.square(y * w - z * v) + np.square(z * u - x * w) + np.square(x * v - y * u)
+    return 0.5 * np.sqrt(square)
 
 
 def corner_areas(positions: FloatArray, faces: IntArray, vertex_count: int) -> FloatArray:
