@@ -7,6 +7,7 @@ from hypothesis.extra import numpy as hnp
 import shapes
 import tolerances as tol
 from skinshade.mesh.topology import (
+    Neighbours,
     corner_areas,
     face_areas,
     half_edges,
@@ -101,3 +102,37 @@ def test_a_seam_is_no_hole():
     positions, faces, _, _ = shapes.split_seam(shapes.sphere("icosphere", 3))
     assert len(positions) > len(shapes.sphere("icosphere", 3).positions)
     assert open_edge_counts(positions, faces) == NONE_AT_FAULT
+
+
+def counted(faces, count, values):
+    """Sums over both ends of every side of every face, half each: what `Neighbours` stands for."""
+    result = np.zeros(count)
+    for face in faces:
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            i, j = face[a], face[b]
+            result[i] += 0.5 * (values[j] - values[i])
+            result[j] += 0.5 * (values[i] - values[j])
+    return result
+
+
+@given(st.data())
+def test_neighbours_are_both_ends_of_every_side_however_faces_meet(data):
+    """Open, closed, turned, repeated and non-manifold faces, and vertices that no face uses."""
+    count = data.draw(st.integers(4, 9))
+    corner = st.integers(0, count - 1)
+    triangle = st.tuples(corner, corner, corner).filter(lambda t: len(set(t)) == 3)
+    faces = np.array(data.draw(st.lists(triangle, min_size=1, max_size=12)))
+    values = np.random.default_rng(count).normal(size=count)
+    found = Neighbours.of(faces, count)
+    sums = found.sums(found.differences(values))
+    assert np.allclose(sums, counted(faces, count, values), atol=1e-12)
+
+
+def test_a_closed_surface_needs_no_shares():
+    ball = shapes.sphere("icosphere", 3)
+    found = Neighbours.of(ball.faces, len(ball.positions))
+    assert found.shares is None
+    assert found.ends.size == ball.faces.size
+    cut = Neighbours.of(ball.faces[5:], len(ball.positions))
+    assert cut.shares is not None
+    assert set(np.unique(cut.shares)) == {0.5, 1.0}
