@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -32,6 +33,8 @@ CurvatureMethod = Literal["shape-operator", "edges"]
 
 SYMMETRIC = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 """Order in which the six numbers of a symmetric 3×3 tensor are kept."""
+BLOCK = 1 << 13
+"""Vertices, or faces, worked on at once: what they need stays in a cache, however large the mesh."""
 FIT_RIDGE = 1e-9
 """Relative; keeps the fit solvable at a vertex all of whose edges are parallel."""
 
@@ -159,24 +162,35 @@ def _fit(
     """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
     count = p.shape[0]
     neighbours = Neighbours.of(faces, count)
-    # A column of each is in one piece.
-    spread, response = np.empty((6, count)).T, np.empty((6, count)).T
+    points = [np.ascontiguousarray(axis) for axis in p.T]
+    outward = [np.ascontiguousarray(axis) for axis in normals.T]
+    tensor = np.empty((3, count))
+
+    def fit(first: int) -> None:
+        last = min(first + BLOCK, count)
+        block = neighbours.block(first, last)
+        step = [block.differences(axis) for axis in points]
+        turn = [block.differences(axis) for axis in outward]
+        tensor[:, first:last] = _fit_block(block, step, turn, normals[first:last])
+
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        differences = list(pool.map(neighbours.differences, (*p.T, *normals.T)))
-        step, turn = differences[:3], differences[3:]
-        weight = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
-        weight = 1.0 / np.maximum(weight, np.finfo(np.float64).tiny)
-        weighted = list(pool.map(weight.__mul__, step))
+        list(pool.map(fit, range(0, count, BLOCK)))
+    return tensor[0], tensor[1], tensor[2]
 
-        def gather(entry: int) -> None:
-            # In world axes, and turned into each vertex's frame afterwards: a third of the work of
-            # turning every edge.
-            i, j = SYMMETRIC[entry]
-            spread[:, entry] = neighbours.sums(weighted[i] * step[j])
-            each = weighted[i] * turn[j] + weighted[j] * turn[i]
-            response[:, entry] = 0.5 * neighbours.sums(each)
 
-        list(pool.map(gather, range(len(SYMMETRIC))))
+def _fit_block(
+    block: Neighbours, step: list[FloatArray], turn: list[FloatArray], normals: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    weight = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
+    weight = 1.0 / np.maximum(weight, np.finfo(np.float64).tiny)
+    weighted = [weight * axis for axis in step]
+    # Both moments are summed in world axes and turned into each vertex's frame afterwards: a third of
+    # the work of turning every edge. A column of each is in one piece.
+    spread, response = (np.empty((6, len(normals))).T for _ in range(2))
+    for entry, (i, j) in enumerate(SYMMETRIC):
+        spread[:, entry] = block.sums(weighted[i] * step[j])
+        each = weighted[i] * turn[j] + weighted[j] * turn[i]
+        response[:, entry] = 0.5 * block.sums(each)
     u, v = tangent_frame(normals)
     along_u, along_v = apply_symmetric(spread, u), apply_symmetric(spread, v)
     xx, xy, yy = dot(along_u, u), dot(along_u, v), dot(along_v, v)
@@ -208,20 +222,28 @@ def _to_world(tensor: FloatArray, normals: FloatArray) -> FloatArray:
 def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -> FloatArray:
     if passes == 0:
         return values
-    area = corner_areas(p, faces, p.shape[0])
+    count = p.shape[0]
+    area = corner_areas(p, faces, count)
     corners = [np.ascontiguousarray(column) for column in faces.T]
-    uses = np.maximum(np.bincount(faces.ravel(), minlength=p.shape[0]), 1)
-    around = [area[column] for column in corners]
-    total = np.maximum(around[0] + around[1] + around[2], np.finfo(np.float64).tiny)
-    shares = [each / total for each in around]
+    uses = np.maximum(np.bincount(faces.ravel(), minlength=count), 1)
     result = values.copy()
-    for _ in range(passes):
-        for column in range(values.shape[1]):
-            value = np.ascontiguousarray(result[:, column])
-            a, b, c = (share * value[at] for share, at in zip(shares, corners, strict=True))
-            mean = a + b + c
-            a, b, c = (np.bincount(at, mean, p.shape[0]) for at in corners)
-            result[:, column] = (a + b + c) / uses
+    mean = np.empty(len(faces))
+
+    def average(first: int, value: FloatArray) -> None:
+        part = slice(first, first + BLOCK)
+        at = [column[part] for column in corners]
+        shares = [area[column] for column in at]
+        total = np.maximum(shares[0] + shares[1] + shares[2], np.finfo(np.float64).tiny)
+        a, b, c = (share * value[column] for share, column in zip(shares, at, strict=True))
+        mean[part] = (a + b + c) / total
+
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        for _ in range(passes):
+            for column in range(values.shape[1]):
+                value = np.ascontiguousarray(result[:, column])
+                list(pool.map(partial(average, value=value), range(0, len(faces), BLOCK)))
+                a, b, c = (np.bincount(at, mean, count) for at in corners)
+                result[:, column] = (a + b + c) / uses
     return result
 
 
