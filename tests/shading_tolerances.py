@@ -222,3 +222,6 @@ PYGFX_SPOT = Tolerance(2e-3, "99.9 % of pixels of one colour in a cone; half flo
 PYGFX_BEHIND = Tolerance(
     2.5e-3, "99 % of pixels of one colour lit from behind by 3 times the light"
 )
+
+BAKED_ATTRIBUTES = Tolerance(1e-6, "1/mm of up to 3, stored in single precision")
+BAKED_PICTURE = Tolerance(1e-3, "display values; curvature in single precision, a quarter of a level")

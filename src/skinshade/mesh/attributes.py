@@ -18,7 +18,7 @@ DIFFUSION_TOLERANCE = 1e-4
 
 
 def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
-    """Analyse a mesh for a profile.
+    """Analyse a mesh for a profile; what was baked into its file is taken as it is.
 
     Parameters
     ----------
@@ -36,8 +36,12 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
         profile, a row a channel; ``diffused_curvature`` (V, 3), 1/mm.
     """
     points = mesh.positions_mm
-    tensor = mesh_curvature_tensor(points, mesh.faces, mesh.normals)
-    curvature = mesh_curvature(points, mesh.faces, mesh.normals)
+    tensor, curvature = mesh.attributes.get("tensor"), mesh.attributes.get("curvature")
+    if tensor is None:
+        flat = mesh_curvature_tensor(points, mesh.faces, mesh.normals)
+        tensor = tensor_to_world(flat, mesh.normals)
+    if curvature is None:
+        curvature = mesh_curvature(points, mesh.faces, mesh.normals)
     both = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
     diffused = diffuse_on_mesh(points, mesh.faces, both, profile, tolerance=DIFFUSION_TOLERANCE)
     if mesh.uvs is None:
@@ -54,7 +58,7 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
         "tangent": tangent,
         "uv": uv,
         "curvature": curvature[:, None],
-        "tensor": tensor_to_world(tensor, mesh.normals),
+        "tensor": tensor,
         "diffused": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
         "diffused_curvature": diffused[:, 3],
     }

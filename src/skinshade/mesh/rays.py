@@ -16,6 +16,8 @@ RayTracing = Literal["auto", "embree", "builtin"]
 
 LEAF = 4
 """Triangles in a leaf."""
+MOST_PAIRS = 1 << 20
+"""Rays and boxes that meet, at once: where faces lie on top of each other all rays meet all of them."""
 MOST_WALLS = 16
 """Walls that a ray may enter before it leaves the body; more are none that a body has."""
 
@@ -66,10 +68,11 @@ class Embree:
         from embreex.rtcore_scene import EmbreeScene
 
         self._middle = positions.mean(axis=0)
-        self._size = float(np.ptp(positions, axis=0).max())
+        # At a size of one, single precision neither overflows nor loses what is small.
+        self._size = float(np.ptp(positions, axis=0).max()) or 1.0
         self._normals = _face_normals(positions, faces)
         self._scene: Any = EmbreeScene(robust=True)
-        points = np.ascontiguousarray(positions - self._middle, dtype=np.float32)
+        points = np.ascontiguousarray((positions - self._middle) / self._size, dtype=np.float32)
         self._kept = TriangleMesh(self._scene, points, np.ascontiguousarray(faces, dtype=np.int32))
 
     def exit_distances(self, origins: FloatArray, directions: FloatArray) -> FloatArray:
@@ -77,9 +80,10 @@ class Embree:
         result = np.full(len(origins), np.inf)
         travelled = np.zeros(len(origins))
         going = np.arange(len(origins))
-        step = 1e-6 * self._size
+        origins = (origins - self._middle) / self._size
+        step = 1e-6
         for _ in range(MOST_WALLS):
-            start = origins[going] + travelled[going, None] * directions[going] - self._middle
+            start = origins[going] + travelled[going, None] * directions[going]
             found = self._scene.run(
                 start.astype(np.float32), directions[going].astype(np.float32), output=True
             )
@@ -87,7 +91,7 @@ class Embree:
             going, face = going[hit], found["primID"][hit]
             travelled[going] += found["tfar"][hit]
             leaves = dot(self._normals[face], directions[going]) > 0.0
-            result[going[leaves]] = travelled[going[leaves]]
+            result[going[leaves]] = travelled[going[leaves]] * self._size
             going = going[~leaves]
             if not going.size:
                 break
@@ -154,6 +158,12 @@ class Hierarchy:
                 np.maximum(enter, np.minimum(one, other), out=enter)
                 np.minimum(leave, np.maximum(one, other), out=leave)
             met = np.flatnonzero(leave >= enter)
+            if met.size > MOST_PAIRS and len(origins) > 1:
+                half = len(origins) // 2
+                parts = (slice(None, half), slice(half, None))
+                return np.concatenate(
+                    [self.exit_distances(origins[each], directions[each]) for each in parts]
+                )
             ray, node = ray[met], node[met]
         return self._nearest(origins, directions, ray, node)
 
@@ -173,9 +183,9 @@ class Hierarchy:
         with np.errstate(divide="ignore", invalid="ignore"):
             u, v = dot(t, p) / determinant, dot(d, q) / determinant
             distance = dot(other, q) / determinant
-        slack = 1e-9
-        left = (determinant < 0.0) & (u >= -slack) & (v >= -slack) & (u + v <= 1.0 + slack)
-        left &= distance > 0.0
+            slack = 1e-9
+            left = (determinant < 0.0) & (u >= -slack) & (v >= -slack) & (u + v <= 1.0 + slack)
+            left &= distance > 0.0
         result = np.full(len(origins), np.inf)
         np.minimum.at(result, ray[left], distance[left])
         return result

@@ -13,6 +13,7 @@ from .._core.arrays import FloatArray
 from .._core.errors import MeshFileError, SkinshadeError, UnitError, UnitWarning
 from .._core.files import existing_file
 from .._core.units import checked_unit_mm
+from .baked import BAKED_NAMES, baked_attributes, baked_unit_mm
 from .model import Mesh
 
 __all__ = ["load_mesh"]
@@ -20,6 +21,8 @@ __all__ = ["load_mesh"]
 SUFFIXES = (".glb", ".gltf", ".obj", ".ply", ".stl")
 GLTF_UNIT_MM = 1000.0
 """glTF 2.0 prescribes metres."""
+SAME_UNIT = 1e-4
+"""Relative; node scales are single precision."""
 PLAUSIBLE_MM = (20.0, 3000.0)
 """Diagonals between a fingertip and a tall person's; outside it metres are rarely what was meant."""
 
@@ -32,12 +35,14 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     path
         ``.glb``, ``.gltf``, ``.obj``, ``.ply`` or ``.stl``.
     unit_mm
-        Length of one unit of the file, mm. Only glTF states one (metres); any other file needs it.
+        Length of one unit of the file, mm. Only glTF states one (metres), or what `skinshade bake` noted;
+        any other file needs it.
 
     Returns
     -------
     Mesh
-        UVs with v down, as in glTF, whatever the file's own convention.
+        UVs with v down, as in glTF, whatever the file's own convention. Attributes ``curvature``,
+        ``tensor`` and ``thickness`` if the file was baked for this unit.
 
     Raises
     ------
@@ -61,14 +66,31 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         raise UnitError(
             f"{file}: {suffix} files do not say their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
         )
-    unit = GLTF_UNIT_MM if unit_mm is None else checked_unit_mm(unit_mm, str(file))
+    parts = _parts(file)
+    baked = _common_unit([part.pop("baked_unit_mm") for part in parts])
+    given = None if unit_mm is None else checked_unit_mm(unit_mm, str(file))
+    unit = given or baked or GLTF_UNIT_MM
+    if baked is None or abs(unit / baked - 1.0) > SAME_UNIT:
+        # Baked for another size, or for none that is known: curvature is not what it says.
+        for part in parts:
+            part["attributes"] = {
+                key: value for key, value in part["attributes"].items() if key not in BAKED_NAMES
+            }
     try:
-        mesh = Mesh.checked(**_joined(_parts(file), file), unit_mm=unit, name=str(file))
+        mesh = Mesh.checked(**_joined(parts, file), unit_mm=unit, name=str(file))
     except SkinshadeError as error:
         raise type(error)(str(error)) from None
-    if unit_mm is None:
+    if unit_mm is None and baked is None:
         _warn_of_size(mesh, file)
     return mesh
+
+
+def _common_unit(units: list[float | None]) -> float | None:
+    """The unit that baking noted, if it noted the same one for every part."""
+    known = [unit for unit in units if unit is not None]
+    if len(known) < len(units) or max(known) > min(known) * (1.0 + SAME_UNIT):
+        return None
+    return known[0]
 
 
 def _warn_of_size(mesh: Mesh, file: Path) -> None:
@@ -137,12 +159,16 @@ def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:
         for key, value in geometry.vertex_attributes.items()
         if np.asarray(value).dtype.kind in "fiu" and np.asarray(value).ndim in (1, 2)
     }
+    unit = baked_unit_mm(geometry.metadata.get("skinshade"), matrix)
+    if unit is not None:
+        attributes |= baked_attributes(attributes, matrix)
     return {
         "positions": positions,
         "faces": faces,
         "normals": normals,
         "uvs": uvs,
         "attributes": attributes,
+        "baked_unit_mm": unit,
     }
 
 
@@ -161,6 +187,7 @@ def _merged(part: dict[str, Any]) -> dict[str, Any]:
         for key in ("positions", "uvs", "normals")
     }
     attributes = {key: value[kept] for key, value in part["attributes"].items()}
+    merged["baked_unit_mm"] = part["baked_unit_mm"]
     return merged | {"faces": rank[group.ravel()][part["faces"]], "attributes": attributes}
 
 

@@ -76,8 +76,8 @@ def mesh_thickness(
     f = as_faces("faces", faces, p.shape[0])
     if not p.size or not f.size:
         raise ArgumentError("positions, faces: there are none")
-    if not 1 <= rays <= 4096:
-        raise ArgumentError(f"rays is {rays}; it must be 1..4096")
+    if not 1 <= rays <= 4096 or int(rays) != rays:
+        raise ArgumentError(f"rays is {rays}; it must be a whole number, 1..4096")
     if not 1.0 <= cone_deg <= 89.0:
         raise ArgumentError(f"cone_deg is {cone_deg}; it must be 1..89 degrees")
     at = p if points is None else as_positions("points", points)

@@ -1,0 +1,53 @@
+"""The scan, baked: the picture from its attributes is the picture from the raw file."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import shading_tolerances as tol
+from skinshade.bake import BakeSettings, bake
+from skinshade.mesh import attributes as module
+from skinshade.mesh import load_mesh
+from skinshade.render import RenderSettings
+from skinshade.render.renderer import display, open_renderer
+from skinshade.scene import Material
+from skinshade.scene.heads import head_scene
+
+SIZE = (160, 200)
+
+
+@pytest.fixture(scope="module")
+def pair(data_dir, tmp_path_factory):
+    """The raw scan, and what is read of the baked one without being told its unit."""
+    raw = data_dir / "lps" / "LeePerrySmith.glb"
+    output = tmp_path_factory.mktemp("baked") / "scan.glb"
+    bake(raw, output, BakeSettings(unit_mm=50.35, tensor=True))
+    return load_mesh(raw, unit_mm=50.35), load_mesh(output)
+
+
+@pytest.mark.slow
+def test_the_picture_of_the_baked_scan_is_that_of_the_raw_one(pair, monkeypatch):
+    raw, baked = pair
+    way = RenderSettings(tier="tensor")
+    shown = []
+    for mesh in (raw, baked):
+        if mesh is baked:  # from its attributes alone
+            for name in ("mesh_curvature", "mesh_curvature_tensor"):
+                monkeypatch.delattr(module, name)
+        scene = head_scene(mesh, Material(), yaw_deg=28.0)
+        picture = open_renderer(scene, "cpu").draw(scene.camera, SIZE, 1, way)
+        shown.append(display(picture, scene, way))
+    assert shown[0].std() > 0.05
+    assert np.abs(shown[0] - shown[1]).max() <= tol.BAKED_PICTURE.value
+
+
+@pytest.mark.slow
+def test_pygfx_draws_the_same_of_both(pair):
+    pytest.importorskip("pygfx")
+    from skinshade.integrations.pygfx import skin_geometry
+
+    raw, baked = (skin_geometry(mesh) for mesh in pair)
+    assert np.array_equal(raw.positions.data, baked.positions.data)
+    apart = np.abs(raw.skin_attributes.data - baked.skin_attributes.data).max()
+    assert apart <= tol.BAKED_ATTRIBUTES.value
