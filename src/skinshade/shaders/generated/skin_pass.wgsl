@@ -65,6 +65,10 @@ struct ScatterBlock_std140_0
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
+@binding(7) @group(0) var transfer_lut_0 : texture_2d<f32>;
+
+@binding(11) @group(0) var lut_sampler_0 : sampler;
+
 struct LightBlock_std430_0
 {
     @align(16) view_x_0 : vec4<f32>,
@@ -93,15 +97,11 @@ struct LightBlock_std430_0
 
 @binding(9) @group(0) var classic_lut_0 : texture_2d<f32>;
 
-@binding(11) @group(0) var lut_sampler_0 : sampler;
-
 @binding(10) @group(0) var classic_shadow_lut_0 : texture_2d<f32>;
 
 @binding(6) @group(0) var sphere_lut_0 : texture_2d<f32>;
 
 @binding(5) @group(0) var ring_lut_0 : texture_2d<f32>;
-
-@binding(7) @group(0) var transfer_lut_0 : texture_2d<f32>;
 
 @binding(8) @group(0) var shadow_lut_0 : texture_2d<f32>;
 
@@ -383,13 +383,68 @@ fn skin_blend_normals_0( fetched_1 : mat3x3<f32>,  blend_0 : mat3x3<f32>) -> mat
     return mat3x3<f32>(skin_weighted_0(fetched_1, blend_0[i32(0)]), skin_weighted_0(fetched_1, blend_0[i32(1)]), skin_weighted_0(fetched_1, blend_0[i32(2)]));
 }
 
+fn skin_displaced_0( from_texture_0 : vec3<f32>,  from_mesh_0 : vec3<f32>,  mesh_normal_1 : vec3<f32>) -> vec3<f32>
+{
+    return from_texture_0 + vec3<f32>(skin_safe_length_0(from_texture_0)) * (from_mesh_0 - mesh_normal_1);
+}
+
+fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x3<f32>,  mesh_normal_2 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_displaced_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_2));
+}
+
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_1 : vec3<f32>,  light_0 : vec3<f32>) -> vec2<f32>
+{
+    var tangential_0 : vec3<f32> = light_0 - normal_1 * vec3<f32>(dot(light_0, normal_1));
+    var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
+    var total_0 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
+    return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
+}
+
+fn skin_transfer_0( transfer_0 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((transfer_0), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
+}
+
+fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(skin_safe_length_0(normals_0[i32(0)]), skin_safe_length_0(normals_0[i32(1)]), skin_safe_length_0(normals_0[i32(2)]));
+}
+
+fn skin_unexplained_length_0( transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_0 : f32) -> vec3<f32>
+{
+    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, total_per_mm_0), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
+}
+
+struct Diffused_0
+{
+     normals_1 : mat3x3<f32>,
+     with_mesh_0 : mat3x3<f32>,
+     relief_length_0 : vec3<f32>,
+};
+
+fn diffused_surface_0( s_1 : Surface_0) -> Diffused_0
+{
+    var d_2 : Diffused_0;
+    var _S11 : mat3x3<f32> = skin_blend_normals_0(s_1.fetched_0, blend_weights_0());
+    d_2.normals_1 = _S11;
+    d_2.with_mesh_0 = _S11;
+    d_2.relief_length_0 = vec3<f32>(1.0f);
+    if(TIER_0 == i32(2))
+    {
+        d_2.with_mesh_0 = skin_add_mesh_diffusion_0(d_2.normals_1, s_1.diffused_0, s_1.mesh_normal_0);
+        d_2.relief_length_0 = skin_unexplained_length_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_2.normals_1, s_1.diffused_0, skin_directional_curvature_0(s_1.tensor_0, s_1.mesh_normal_0, s_1.view_0).y);
+    }
+    return d_2;
+}
+
 fn skin_energy_gain_0( albedo_2 : vec3<f32>,  rms_radius_mm_1 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S11 : vec3<f32> = vec3<f32>(1.0f);
-    var absorbed_0 : vec3<f32> = _S11 - albedo_2;
+    var _S12 : vec3<f32> = vec3<f32>(1.0f);
+    var absorbed_0 : vec3<f32> = _S12 - albedo_2;
     var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm_1 * max(curvature_per_mm_2, vec3<f32>(0.0f));
     var bound_0 : vec3<f32> = u_0 * albedo_2 / absorbed_0;
-    return _S11 + u_0 / sqrt(_S11 + bound_0 * bound_0);
+    return _S12 + u_0 / sqrt(_S12 + bound_0 * bound_0);
 }
 
 fn moments_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
@@ -397,20 +452,20 @@ fn moments_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
     var place_0 : vec2<f32> = clamp(at_0 - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>(1023.0f));
     var corner_0 : vec2<f32> = min(floor(place_0), vec2<f32>(1022.0f));
     var f_2 : vec2<f32> = place_0 - corner_0;
-    var _S12 : vec2<i32> = vec2<i32>(corner_0);
-    var _S13 : vec4<i32> = vec4<i32>(_S12, layer_0, i32(0));
-    var _S14 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(0)), layer_0, i32(0));
-    var _S15 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(0), i32(1)), layer_0, i32(0));
-    var _S16 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(1)), layer_0, i32(0));
-    var _S17 : vec2<f32> = vec2<f32>(f_2.x);
-    return mix(mix((textureLoad((moments_0), ((_S13)).xy, i32(((_S13)).z), ((_S13)).w).xy).xy, (textureLoad((moments_0), ((_S14)).xy, i32(((_S14)).z), ((_S14)).w).xy).xy, _S17), mix((textureLoad((moments_0), ((_S15)).xy, i32(((_S15)).z), ((_S15)).w).xy).xy, (textureLoad((moments_0), ((_S16)).xy, i32(((_S16)).z), ((_S16)).w).xy).xy, _S17), vec2<f32>(f_2.y));
+    var _S13 : vec2<i32> = vec2<i32>(corner_0);
+    var _S14 : vec4<i32> = vec4<i32>(_S13, layer_0, i32(0));
+    var _S15 : vec4<i32> = vec4<i32>(_S13 + vec2<i32>(i32(1), i32(0)), layer_0, i32(0));
+    var _S16 : vec4<i32> = vec4<i32>(_S13 + vec2<i32>(i32(0), i32(1)), layer_0, i32(0));
+    var _S17 : vec4<i32> = vec4<i32>(_S13 + vec2<i32>(i32(1), i32(1)), layer_0, i32(0));
+    var _S18 : vec2<f32> = vec2<f32>(f_2.x);
+    return mix(mix((textureLoad((moments_0), ((_S14)).xy, i32(((_S14)).z), ((_S14)).w).xy).xy, (textureLoad((moments_0), ((_S15)).xy, i32(((_S15)).z), ((_S15)).w).xy).xy, _S18), mix((textureLoad((moments_0), ((_S16)).xy, i32(((_S16)).z), ((_S16)).w).xy).xy, (textureLoad((moments_0), ((_S17)).xy, i32(((_S17)).z), ((_S17)).w).xy).xy, _S18), vec2<f32>(f_2.y));
 }
 
 fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_1 : f32) -> f32
 {
-    var _S18 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
-    var _S19 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
-    return _S18 / (_S18 + _S19 * _S19);
+    var _S19 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S20 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
+    return _S19 / (_S19 + _S20 * _S20);
 }
 
 fn depth_at_0( at_1 : vec2<f32>,  layer_1 : i32) -> f32
@@ -424,25 +479,25 @@ fn depth_at_0( at_1 : vec2<f32>,  layer_1 : i32) -> f32
     {
         inside_0 = false;
     }
-    var _S20 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_1, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_1, i32(0));
-    var found_0 : f32 = (textureLoad((depths_0), ((_S20)).xy, i32(((_S20)).z), ((_S20)).w).x);
-    var _S21 : f32;
+    var _S21 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_1, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_1, i32(0));
+    var found_0 : f32 = (textureLoad((depths_0), ((_S21)).xy, i32(((_S21)).z), ((_S21)).w).x);
+    var _S22 : f32;
     if(inside_0)
     {
-        _S21 = found_0;
+        _S22 = found_0;
     }
     else
     {
-        _S21 = 1.00000001504746622e+30f;
+        _S22 = 1.00000001504746622e+30f;
     }
-    return _S21;
+    return _S22;
 }
 
 fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_2 : i32) -> f32
 {
-    var _S22 : vec2<f32> = at_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S22);
-    var f_3 : vec2<f32> = _S22 - corner_1;
+    var _S23 : vec2<f32> = at_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S23);
+    var f_3 : vec2<f32> = _S23 - corner_1;
     var a_2 : f32;
     if((depth_at_0(corner_1, layer_2)) >= depth_0)
     {
@@ -470,22 +525,22 @@ fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_2 : i32) -> f32
     {
         c_2 = 0.0f;
     }
-    var d_2 : f32;
+    var d_3 : f32;
     if((depth_at_0(corner_1 + vec2<f32>(1.0f, 1.0f), layer_2)) >= depth_0)
     {
-        d_2 = 1.0f;
+        d_3 = 1.0f;
     }
     else
     {
-        d_2 = 0.0f;
+        d_3 = 0.0f;
     }
-    var _S23 : f32 = f_3.x;
-    return mix(mix(a_2, b_2, _S23), mix(c_2, d_2, _S23), f_3.y);
+    var _S24 : f32 = f_3.x;
+    return mix(mix(a_2, b_2, _S24), mix(c_2, d_3, _S24), f_3.y);
 }
 
-fn skin_inward_offset_0( position_mm_1 : vec3<f32>,  normal_1 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+fn skin_inward_offset_0( position_mm_1 : vec3<f32>,  normal_2 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
 {
-    return position_mm_1 - normal_1 * vec3<f32>(offset_mm_0);
+    return position_mm_1 - normal_2 * vec3<f32>(offset_mm_0);
 }
 
 struct Incident_0
@@ -496,12 +551,12 @@ struct Incident_0
      thickness_mm_0 : f32,
 };
 
-fn place_in_map_0( _S24 : i32,  _S25 : vec3<f32>) -> vec4<f32>
+fn place_in_map_0( _S25 : i32,  _S26 : vec3<f32>) -> vec4<f32>
 {
-    var p_1 : vec4<f32> = vec4<f32>(_S25, 1.0f);
-    var _S26 : f32 = dot(lights_0[_S24].view_z_0, p_1);
-    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S24].view_x_0, p_1), dot(lights_0[_S24].view_y_0, p_1), _S26, 1.0f);
-    var w_0 : f32 = dot(lights_0[_S24].clip_w_1, seen_0);
+    var p_1 : vec4<f32> = vec4<f32>(_S26, 1.0f);
+    var _S27 : f32 = dot(lights_0[_S25].view_z_0, p_1);
+    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S25].view_x_0, p_1), dot(lights_0[_S25].view_y_0, p_1), _S27, 1.0f);
+    var w_0 : f32 = dot(lights_0[_S25].clip_w_1, seen_0);
     var w_1 : f32;
     if((abs(w_0)) < 9.99999971718068537e-10f)
     {
@@ -511,27 +566,27 @@ fn place_in_map_0( _S24 : i32,  _S25 : vec3<f32>) -> vec4<f32>
     {
         w_1 = w_0;
     }
-    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S24].clip_x_1, seen_0), dot(lights_0[_S24].clip_y_1, seen_0)) / vec2<f32>(w_1);
-    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S26, abs(w_1) * 2.0f / (lights_0[_S24].clip_x_1.x * 1024.0f));
+    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S25].clip_x_1, seen_0), dot(lights_0[_S25].clip_y_1, seen_0)) / vec2<f32>(w_1);
+    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S27, abs(w_1) * 2.0f / (lights_0[_S25].clip_x_1.x * 1024.0f));
 }
 
-fn wide_filter_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0,  _S30 : vec3<f32>) -> f32
+fn wide_filter_0( _S28 : i32,  _S29 : i32,  _S30 : Surface_0,  _S31 : vec3<f32>) -> f32
 {
-    var cosine_0 : f32 = dot(_S29.mesh_normal_0, _S30);
-    var _S31 : f32 = max(- cosine_0, 0.0f);
-    var _S32 : vec4<f32> = place_in_map_0(_S27, _S29.position_0 + skin_unit_vectors_0(_S30 - _S29.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S31 / max(_S29.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
+    var cosine_0 : f32 = dot(_S30.mesh_normal_0, _S31);
+    var _S32 : f32 = max(- cosine_0, 0.0f);
+    var _S33 : vec4<f32> = place_in_map_0(_S28, _S30.position_0 + skin_unit_vectors_0(_S31 - _S30.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S32 / max(_S30.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
     if(SHADOW_FILTER_0 == i32(1))
     {
-        var mean_0 : vec2<f32> = moments_at_0(_S32.xy, _S28 / i32(2));
-        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S32.z - 0.40000000596046448f - lights_0[_S27].depth_mm_0.x);
+        var mean_0 : vec2<f32> = moments_at_0(_S33.xy, _S29 / i32(2));
+        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S33.z - 0.40000000596046448f - lights_0[_S28].depth_mm_0.x);
     }
-    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S29.mesh_normal_0 + _S30 * vec3<f32>(_S31));
-    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S27].view_x_0.xyz, upright_0), - dot(lights_0[_S27].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S27].view_z_0.xyz, upright_0), 0.00100000004749745f));
-    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S29.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
-    var _S33 : f32 = _S32.w;
-    var _S34 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S33, 1024.0f);
+    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S30.mesh_normal_0 + _S31 * vec3<f32>(_S32));
+    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S28].view_x_0.xyz, upright_0), - dot(lights_0[_S28].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S28].view_z_0.xyz, upright_0), 0.00100000004749745f));
+    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S30.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
+    var _S34 : f32 = _S33.w;
+    var _S35 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S34, 1024.0f);
     var tap_0 : i32 = i32(0);
-    var total_0 : f32 = 0.0f;
+    var total_1 : f32 = 0.0f;
     for(;;)
     {
         if(tap_0 < i32(48))
@@ -541,20 +596,20 @@ fn wide_filter_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0,  _S30 : vec3<f32>)
         {
             break;
         }
-        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S34);
-        var total_1 : f32 = total_0 + compared_0(_S32.xy + across_0, _S32.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S33), across_0), _S28);
+        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S35);
+        var total_2 : f32 = total_1 + compared_0(_S33.xy + across_0, _S33.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S34), across_0), _S29);
         tap_0 = tap_0 + i32(1);
-        total_0 = total_1;
+        total_1 = total_2;
     }
-    return total_0 / 48.0f;
+    return total_1 / 48.0f;
 }
 
-fn thickness_0( _S35 : i32,  _S36 : i32,  _S37 : Surface_0) -> f32
+fn thickness_0( _S36 : i32,  _S37 : i32,  _S38 : Surface_0) -> f32
 {
-    var _S38 : vec4<f32> = place_in_map_0(_S35, skin_inward_offset_0(_S37.position_0, _S37.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
-    var _S39 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S38.w;
+    var _S39 : vec4<f32> = place_in_map_0(_S36, skin_inward_offset_0(_S38.position_0, _S38.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
+    var _S40 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S39.w;
     var tap_1 : i32 = i32(0);
-    var total_2 : f32 = 0.0f;
+    var total_3 : f32 = 0.0f;
     for(;;)
     {
         if(tap_1 < TAPS_0)
@@ -564,37 +619,37 @@ fn thickness_0( _S35 : i32,  _S36 : i32,  _S37 : Surface_0) -> f32
         {
             break;
         }
-        var found_1 : f32 = depth_at_0(floor(_S38.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S39)), _S36);
-        var _S40 : f32;
+        var found_1 : f32 = depth_at_0(floor(_S39.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S40)), _S37);
+        var _S41 : f32;
         if(found_1 < 1.00000001504746622e+30f)
         {
-            _S40 = max(_S38.z - found_1, 0.0f);
+            _S41 = max(_S39.z - found_1, 0.0f);
         }
         else
         {
-            _S40 = 0.0f;
+            _S41 = 0.0f;
         }
-        var total_3 : f32 = total_2 + _S40;
+        var total_4 : f32 = total_3 + _S41;
         tap_1 = tap_1 + i32(1);
-        total_2 = total_3;
+        total_3 = total_4;
     }
-    return total_2 / f32(max(TAPS_0, i32(1)));
+    return total_3 / f32(max(TAPS_0, i32(1)));
 }
 
-fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
+fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
 {
     var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
     var found_2 : Incident_0;
-    var _S41 : vec3<f32> = lights_0[index_0].direction_0.xyz;
-    found_2.to_light_0 = _S41;
+    var _S42 : vec3<f32> = lights_0[index_0].direction_0.xyz;
+    found_2.to_light_0 = _S42;
     var irradiance_2 : vec3<f32>;
     if((lights_0[index_0].near_0) > 0.5f)
     {
-        var away_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_1.position_0;
-        var _S42 : vec3<f32> = skin_unit_vectors_0(away_0);
-        found_2.to_light_0 = _S42;
+        var away_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_2.position_0;
+        var _S43 : vec3<f32> = skin_unit_vectors_0(away_0);
+        found_2.to_light_0 = _S43;
         var outer_0 : f32 = lights_0[index_0].cone_cosines_0.x;
-        var t_1 : f32 = saturate((dot(_S42, _S41) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
+        var t_1 : f32 = saturate((dot(_S43, _S42) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
         irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].target_distance_mm_0 * lights_0[index_0].target_distance_mm_0 / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
     }
     else
@@ -602,11 +657,11 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
         irradiance_2 = irradiance_1;
     }
     found_2.radiance_0 = irradiance_2 / vec3<f32>(3.14159274101257324f);
-    var cosine_1 : f32 = dot(s_1.mesh_normal_0, found_2.to_light_0);
+    var cosine_1 : f32 = dot(s_2.mesh_normal_0, found_2.to_light_0);
     found_2.shadow_filter_0 = 0.0f;
     if(cosine_1 > -0.60000002384185791f)
     {
-        found_2.shadow_filter_0 = wide_filter_0(index_0, i32(2) * index_0, s_1, found_2.to_light_0);
+        found_2.shadow_filter_0 = wide_filter_0(index_0, i32(2) * index_0, s_2, found_2.to_light_0);
     }
     found_2.thickness_mm_0 = 1000.0f;
     var through_below_0 : f32;
@@ -625,18 +680,18 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
     }
     else
     {
-        through_1 = (dot(s_1.blurred_0, found_2.to_light_0)) < through_below_0;
+        through_1 = (dot(s_2.blurred_0, found_2.to_light_0)) < through_below_0;
     }
-    var _S43 : bool;
+    var _S44 : bool;
     if(TAPS_0 > i32(0))
     {
-        _S43 = cosine_1 < 0.5f;
+        _S44 = cosine_1 < 0.5f;
     }
     else
     {
-        _S43 = false;
+        _S44 = false;
     }
-    if(_S43)
+    if(_S44)
     {
     }
     else
@@ -645,7 +700,7 @@ fn incident_0( index_0 : i32,  s_1 : Surface_0) -> Incident_0
     }
     if(through_1)
     {
-        found_2.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_1);
+        found_2.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_2);
     }
     return found_2;
 }
@@ -664,13 +719,13 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_0 : f32,  radius_
 fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_3 * albedo_3;
-    var _S44 : vec3<f32> = vec3<f32>(1.0f);
-    var _S45 : vec3<f32> = vec3<f32>(2.0f);
-    var _S46 : vec3<f32> = _S45 * albedo_3;
-    var a_3 : vec3<f32> = (_S44 + a2_0) / _S46;
-    var b_3 : vec3<f32> = (_S44 - a2_0) / _S46;
+    var _S45 : vec3<f32> = vec3<f32>(1.0f);
+    var _S46 : vec3<f32> = vec3<f32>(2.0f);
+    var _S47 : vec3<f32> = _S46 * albedo_3;
+    var a_3 : vec3<f32> = (_S45 + a2_0) / _S47;
+    var b_3 : vec3<f32> = (_S45 - a2_0) / _S47;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    return _S45 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+    return _S46 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
 }
 
 fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_1 : f32) -> vec3<f32>
@@ -678,14 +733,14 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
     return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_1, 0.0f));
 }
 
-fn light_through_0( s_2 : Surface_0,  light_0 : Incident_0) -> vec3<f32>
+fn light_through_0( s_3 : Surface_0,  light_1 : Incident_0) -> vec3<f32>
 {
-    var n_dot_l_2 : f32 = dot(s_2.blurred_0, light_0.to_light_0);
+    var n_dot_l_2 : f32 = dot(s_3.blurred_0, light_1.to_light_0);
     if(SHADING_0 == i32(1))
     {
-        return vec3<f32>(skin_classic_deep_scatter_0(light_0.thickness_mm_0, n_dot_l_2, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
+        return vec3<f32>(skin_classic_deep_scatter_0(light_1.thickness_mm_0, n_dot_l_2, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
     }
-    return skin_direct_deep_scatter_0(skin_transmittance_0(light_0.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_2, skin_block_0.deep_scatter_strength_0);
+    return skin_direct_deep_scatter_0(skin_transmittance_0(light_1.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_2, skin_block_0.deep_scatter_strength_0);
 }
 
 fn skin_smoothstep_0( p_2 : f32) -> f32
@@ -704,12 +759,12 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
     return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
 }
 
-fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_2 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
 {
-    var blurred_cosine_0 : f32 = dot(blurred_2, light_1);
+    var blurred_cosine_0 : f32 = dot(blurred_2, light_2);
     var k_0 : f32 = saturate(1.0f - blurred_cosine_0);
     var k_1 : f32 = k_0 * k_0;
-    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_1)))), light_1), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_1))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_1)))), light_2), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_1))), light_2))) + ((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
 }
 
 fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_3 : f32,  n_dot_l_3 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
@@ -717,107 +772,74 @@ fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  l
     return (textureSampleLevel((lut_1), (lut_sampler_2), (saturate((vec2<f32>(shadow_filter_3, max(n_dot_l_3, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_1.xz) * lut_axes_1.yw)), (0.0f))).xyz;
 }
 
-fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
+fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>(skin_safe_length_0(normals_0[i32(0)]), skin_safe_length_0(normals_0[i32(1)]), skin_safe_length_0(normals_0[i32(2)]));
-}
-
-fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
-{
-    return clamp(vec3<f32>(dot(normals_1[i32(0)], light_2), dot(normals_1[i32(1)], light_2), dot(normals_1[i32(2)], light_2)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
+    return clamp(vec3<f32>(dot(normals_2[i32(0)], light_3), dot(normals_2[i32(1)], light_3), dot(normals_2[i32(2)], light_3)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
 }
 
 fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
 {
     var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
-    var _S47 : vec2<f32> = lut_axes_2.xz;
-    var _S48 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S47) * _S48)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S47) * _S48)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S47) * _S48)), (0.0f))).xyz.z);
+    var _S48 : vec2<f32> = lut_axes_2.xz;
+    var _S49 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S48) * _S49)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S48) * _S49)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S48) * _S49)), (0.0f))).xyz.z);
 }
 
-fn skin_relief_bump_0( m_0 : f32,  s_3 : f32) -> f32
+fn skin_relief_bump_0( m_0 : f32,  s_4 : f32) -> f32
 {
-    var _S49 : f32 = max(s_3, 9.99999971718068537e-10f);
-    var _S50 : f32 = min(abs(m_0) / _S49, 8.0f);
-    return _S49 * (0.39894229173660278f * exp(-0.5f * _S50 * _S50)) / (1.0f + _S50 * (1.25119507312774658f + _S50 * (0.58454132080078125f + _S50 * 0.06752368807792664f)));
+    var _S50 : f32 = max(s_4, 9.99999971718068537e-10f);
+    var _S51 : f32 = min(abs(m_0) / _S50, 8.0f);
+    return _S50 * (0.39894229173660278f * exp(-0.5f * _S51 * _S51)) / (1.0f + _S51 * (1.25119507312774658f + _S51 * (0.58454132080078125f + _S51 * 0.06752368807792664f)));
 }
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S51 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S51));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S51));
+    var _S52 : vec3<f32> = vec3<f32>(0.0f);
+    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S52));
+    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S52));
     return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z * sine_0.z));
 }
 
-fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_4 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
 {
-    var lengths_2 : vec3<f32> = skin_lengths_0(normals_2);
-    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_2, light_3, lengths_2);
+    var lengths_2 : vec3<f32> = skin_lengths_0(normals_3);
+    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_3, light_4, lengths_2);
     return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_4, lut_axes_3, cos_theta_2, abs(curvature_per_mm_5)) + skin_lost_relief_0(lengths_2, cos_theta_2));
 }
 
-fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_2 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  normals_4 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_1 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
 {
-    var tangential_0 : vec3<f32> = light_4 - normal_2 * vec3<f32>(dot(light_4, normal_2));
-    var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
-    var total_4 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
-    return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_4), total_4);
+    var lengths_3 : vec3<f32> = skin_lengths_0(normals_4);
+    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_4, light_5, lengths_3);
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_5, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, sqrt(max((total_per_mm_1 - directional_per_mm_0) * (total_per_mm_1 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
 }
 
-fn skin_transfer_0( transfer_0 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  transfer_3 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_4 : vec4<f32>,  normals_5 : mat3x3<f32>,  relief_length_1 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
 {
-    return (textureSampleLevel((transfer_0), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
+    var lengths_4 : vec3<f32> = skin_lengths_0(normals_5);
+    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_5, light_6, lengths_4);
+    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_3, transfer_sampler_3, transfer_axes_4, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_1, cos_theta_4));
 }
 
-fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
-{
-    var lengths_3 : vec3<f32> = skin_lengths_0(normals_3);
-    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_3, light_5, lengths_3);
-    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_5, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
-}
-
-fn skin_displaced_0( from_texture_0 : vec3<f32>,  from_mesh_0 : vec3<f32>,  mesh_normal_1 : vec3<f32>) -> vec3<f32>
-{
-    return from_texture_0 + vec3<f32>(skin_safe_length_0(from_texture_0)) * (from_mesh_0 - mesh_normal_1);
-}
-
-fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x3<f32>,  mesh_normal_2 : vec3<f32>) -> mat3x3<f32>
-{
-    return mat3x3<f32>(skin_displaced_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_2));
-}
-
-fn skin_unexplained_length_0( transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_1 : f32) -> vec3<f32>
-{
-    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, total_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
-}
-
-fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  transfer_3 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_4 : vec4<f32>,  normals_4 : mat3x3<f32>,  relief_length_0 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
-{
-    var lengths_4 : vec3<f32> = skin_lengths_0(normals_4);
-    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_4, light_6, lengths_4);
-    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_3, transfer_sampler_3, transfer_axes_4, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_0, cos_theta_4));
-}
-
-fn diffused_light_0( s_4 : Surface_0,  seen_1 : mat3x3<f32>,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
+fn diffused_light_0( s_5 : Surface_0,  d_4 : Diffused_0,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
 {
     if(TIER_0 == i32(0))
     {
-        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, seen_1, to_light_1, s_4.curvature_per_mm_0, gain_3);
+        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_4.normals_1, to_light_1, s_5.curvature_per_mm_0, gain_3);
     }
-    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_4.tensor_0, s_4.mesh_normal_0, to_light_1);
+    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_5.tensor_0, s_5.mesh_normal_0, to_light_1);
     if(TIER_0 == i32(1))
     {
-        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, seen_1, to_light_1, bends_0.x, bends_0.y, gain_3);
+        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_4.normals_1, to_light_1, bends_0.x, bends_0.y, gain_3);
     }
-    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, skin_add_mesh_diffusion_0(seen_1, s_4.diffused_0, s_4.mesh_normal_0), skin_unexplained_length_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, seen_1, s_4.diffused_0, bends_0.y), to_light_1, bends_0.x, gain_3);
+    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_4.with_mesh_0, d_4.relief_length_0, to_light_1, bends_0.x, gain_3);
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
 {
     var k_2 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S52 : f32 = 1.0f - k_2;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S52 * n_dot_l_4) * (k_2 + _S52 * n_dot_v_0)));
+    var _S53 : f32 = 1.0f - k_2;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S53 * n_dot_l_4) * (k_2 + _S53 * n_dot_v_0)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
@@ -832,12 +854,12 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f
     return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * away2_0 * away2_0 * away_1) * n_dot_l_5;
 }
 
-fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_3 : vec3<f32>) -> vec3<f32>
+fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S53 : f32 = d_3.y;
-    var _S54 : f32 = d_3.z;
-    var _S55 : f32 = d_3.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S53 + sh_0[i32(0)].z * _S54 + sh_0[i32(1)].x * _S55), 1.09254848957061768f * (sh_0[i32(1)].y * _S55 * _S53 + sh_0[i32(1)].z * _S53 * _S54 + sh_0[i32(2)].y * _S55 * _S54) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S54 * _S54 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S55 * _S55 - _S53 * _S53));
+    var _S54 : f32 = d_5.y;
+    var _S55 : f32 = d_5.z;
+    var _S56 : f32 = d_5.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S54 + sh_0[i32(0)].z * _S55 + sh_0[i32(1)].x * _S56), 1.09254848957061768f * (sh_0[i32(1)].y * _S56 * _S54 + sh_0[i32(1)].z * _S54 * _S55 + sh_0[i32(2)].y * _S56 * _S55) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S55 * _S55 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S56 * _S56 - _S54 * _S54));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -846,27 +868,27 @@ fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_tran
     return max(dot(skin_sh_bands_0(sh_1, normal_4 / vec3<f32>(l_1)), vec3<f32>(1.0f, l_1, l_1 * l_1 * l_1) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
-fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_5 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
+fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_6 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
 {
     var t_3 : mat3x3<f32> = transpose(band_transfer_1);
-    return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_5[i32(0)], t_3[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_5[i32(1)], t_3[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_5[i32(2)], t_3[i32(2)]));
+    return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_6[i32(0)], t_3[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_6[i32(1)], t_3[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_6[i32(2)], t_3[i32(2)]));
 }
 
-fn ambient_light_0( s_5 : Surface_0,  seen_2 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
+fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S56 : vec3<f32> = vec3<f32>(1.0f);
-    var _S57 : mat3x3<f32> = mat3x3<f32>(_S56, _S56, _S56);
+    var _S57 : vec3<f32> = vec3<f32>(1.0f);
+    var _S58 : mat3x3<f32> = mat3x3<f32>(_S57, _S57, _S57);
     var bands_0 : mat3x3<f32>;
     if(SHADING_0 == i32(2))
     {
-        var kappa_0 : f32 = abs(s_5.curvature_per_mm_0);
+        var kappa_0 : f32 = abs(s_6.curvature_per_mm_0);
         bands_0 = mat3x3<f32>(gain_4, gain_4 * skin_transfer_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, sqrt(2.0f) * kappa_0), gain_4 * skin_transfer_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, sqrt(6.0f) * kappa_0));
     }
     else
     {
-        bands_0 = _S57;
+        bands_0 = _S58;
     }
-    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), seen_2, bands_0);
+    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), seen_1, bands_0);
 }
 
 fn skin_specular_visibility_0( n_dot_v_2 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
@@ -892,19 +914,19 @@ fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
 
 fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S58 : f32 = direction_1.x;
-    var _S59 : f32 = direction_1.z;
-    var level_0 : f32 = sqrt(_S58 * _S58 + _S59 * _S59);
+    var _S59 : f32 = direction_1.x;
+    var _S60 : f32 = direction_1.z;
+    var level_0 : f32 = sqrt(_S59 * _S59 + _S60 * _S60);
     var x_4 : f32;
     if(level_0 > 0.0f)
     {
-        x_4 = _S58;
+        x_4 = _S59;
     }
     else
     {
         x_4 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S59, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S60, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
 }
 
 fn skin_reflection_level_0( power_2 : f32) -> f32
@@ -915,10 +937,10 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_2 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
     var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S60 : f32 = min(floor(level_1), 3.0f);
+    var _S61 : f32 = min(floor(level_1), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S61 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S60)));
+    var _S62 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S62, (_S61 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S62, (_S61 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S61)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -950,7 +972,7 @@ struct pixelInput_0
     @location(0) a_4 : vec4<f32>,
     @location(1) b_4 : vec4<f32>,
     @location(2) c_3 : vec4<f32>,
-    @location(3) d_4 : vec4<f32>,
+    @location(3) d_6 : vec4<f32>,
     @location(4) e_2 : vec4<f32>,
     @location(5) f_4 : vec4<f32>,
     @location(6) g_2 : vec4<f32>,
@@ -960,62 +982,65 @@ struct pixelInput_0
 };
 
 @fragment
-fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S63 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S63 : Fragment_0 = Fragment_0( clip_1, _S62.a_4, _S62.b_4, _S62.c_3, _S62.d_4, _S62.e_2, _S62.f_4, _S62.g_2, _S62.h_2, _S62.i_2, _S62.j_2 );
-    var _S64 : vec2<f32> = _S62.c_3.zw;
-    var _S65 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_6 : Surface_0 = surface_of_0(_S63, dpdx(_S64) * _S65, dpdy(_S64) * _S65);
+    var _S64 : Fragment_0 = Fragment_0( clip_1, _S63.a_4, _S63.b_4, _S63.c_3, _S63.d_6, _S63.e_2, _S63.f_4, _S63.g_2, _S63.h_2, _S63.i_2, _S63.j_2 );
+    var _S65 : vec2<f32> = _S63.c_3.zw;
+    var _S66 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_7 : Surface_0 = surface_of_0(_S64, dpdx(_S65) * _S66, dpdy(_S65) * _S66);
     if(VIEW_0 == i32(1))
     {
-        var _S66 : vec3<f32> = vec3<f32>(0.5f);
-        var _S67 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S66 + _S66 * s_6.sharp_0), 1.0f) );
-        return _S67;
+        var _S67 : vec3<f32> = vec3<f32>(0.5f);
+        var _S68 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S67 + _S67 * s_7.sharp_0), 1.0f) );
+        return _S68;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S68 : vec3<f32> = vec3<f32>(0.5f);
-        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_6.blurred_0), 1.0f) );
-        return _S69;
+        var _S69 : vec3<f32> = vec3<f32>(0.5f);
+        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S69 + _S69 * s_7.blurred_0), 1.0f) );
+        return _S70;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_6.curvature_per_mm_0), 1.0f) );
-        return _S70;
+        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        return _S71;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_6.albedo_1, 1.0f) );
-        return _S71;
+        var _S72 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        return _S72;
     }
-    var _S72 : vec3<f32> = s_6.sharp_0;
-    var _S73 : mat3x3<f32> = mat3x3<f32>(_S72, _S72, _S72);
-    var _S74 : vec3<f32> = vec3<f32>(1.0f);
-    var seen_3 : mat3x3<f32>;
+    var _S73 : vec3<f32> = s_7.sharp_0;
+    var _S74 : mat3x3<f32> = mat3x3<f32>(_S73, _S73, _S73);
+    var _S75 : vec3<f32> = vec3<f32>(1.0f);
+    var seen_2 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
-        seen_3 = skin_classic_ambient_normals_0(s_6.sharp_0, s_6.blurred_0);
+        seen_2 = skin_classic_ambient_normals_0(s_7.sharp_0, s_7.blurred_0);
     }
     else
     {
-        seen_3 = _S73;
+        seen_2 = _S74;
     }
+    var diffused_1 : Diffused_0;
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
-        var _S75 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_6.diffused_curvature_per_mm_0);
-        seen_3 = skin_blend_normals_0(s_6.fetched_0, blend_weights_0());
-        gain_5 = _S75;
+        var diffused_2 : Diffused_0 = diffused_surface_0(s_7);
+        var _S76 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        diffused_1 = diffused_2;
+        gain_5 = _S76;
+        seen_2 = diffused_2.normals_1;
     }
     else
     {
-        gain_5 = _S74;
+        gain_5 = _S75;
     }
-    var tint_1 : vec3<f32> = s_6.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S76 : vec3<f32> = vec3<f32>(0.0f);
+    var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
+    var _S77 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1025,17 +1050,17 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         lit_most_0 = 1.0f;
     }
-    var _S77 : bool;
+    var _S78 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S77 = TAPS_0 > i32(0);
+        _S78 = TAPS_0 > i32(0);
     }
     else
     {
-        _S77 = false;
+        _S78 = false;
     }
     var thinnest_0 : f32;
-    if(_S77)
+    if(_S78)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1044,9 +1069,9 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S76;
-    var direct_3 : vec3<f32> = _S76;
-    var specular_0 : vec3<f32> = _S76;
+    var deep_0 : vec3<f32> = _S77;
+    var direct_3 : vec3<f32> = _S77;
+    var specular_0 : vec3<f32> = _S77;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1056,37 +1081,37 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         {
             break;
         }
-        var light_8 : Incident_0 = incident_0(index_1, s_6);
-        var _S78 : f32 = max(lit_most_0, light_8.shadow_filter_0);
+        var light_8 : Incident_0 = incident_0(index_1, s_7);
+        var _S79 : f32 = max(lit_most_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
         }
-        var n_dot_l_6 : f32 = dot(s_6.mesh_normal_0, light_8.to_light_0);
+        var n_dot_l_6 : f32 = dot(s_7.mesh_normal_0, light_8.to_light_0);
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S77 = (dot(s_6.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
+            _S78 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
         }
         else
         {
-            _S77 = false;
+            _S78 = false;
         }
-        if(_S77)
+        if(_S78)
         {
-            deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_6, light_8);
+            deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
         }
         if((light_8.shadow_filter_0) == 0.0f)
         {
-            var _S79 : i32 = index_1 + i32(1);
-            lit_most_0 = _S78;
-            index_1 = _S79;
+            var _S80 : i32 = index_1 + i32(1);
+            lit_most_0 = _S79;
+            index_1 = _S80;
             continue;
         }
         var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
         if(SHADING_0 == i32(0))
         {
-            direct_0 = direct_3 + light_8.radiance_0 * vec3<f32>(max(dot(s_6.sharp_0, light_8.to_light_0), 0.0f)) * vec3<f32>(lit_0);
+            direct_0 = direct_3 + light_8.radiance_0 * vec3<f32>(max(dot(s_7.sharp_0, light_8.to_light_0), 0.0f)) * vec3<f32>(lit_0);
         }
         else
         {
@@ -1095,7 +1120,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var lit_1 : f32;
         if(SHADING_0 == i32(1))
         {
-            var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_6.sharp_0, s_6.blurred_0, light_8.to_light_0, s_6.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
+            var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_7.sharp_0, s_7.blurred_0, light_8.to_light_0, s_7.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
             lit_1 = skin_classic_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
             direct_1 = direct_4;
         }
@@ -1106,75 +1131,75 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         }
         if(SHADING_0 == i32(2))
         {
-            direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_6, seen_3, light_8.to_light_0, gain_5) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
+            direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_7, diffused_1, light_8.to_light_0, gain_5) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
         }
         else
         {
             direct_2 = direct_1;
         }
-        var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_6.sharp_0, s_6.view_0, light_8.to_light_0, s_6.gloss_3, s_6.reflectance_1));
+        var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_7.sharp_0, s_7.view_0, light_8.to_light_0, s_7.gloss_3, s_7.reflectance_1));
         direct_3 = direct_2;
         specular_0 = specular_1;
-        var _S79 : i32 = index_1 + i32(1);
-        lit_most_0 = _S78;
-        index_1 = _S79;
+        var _S80 : i32 = index_1 + i32(1);
+        lit_most_0 = _S79;
+        index_1 = _S80;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S80;
+        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S81;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S81;
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S82;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S82 : vec3<f32> = ambient_light_0(s_6, seen_3, gain_5) * s_6.visibility_0 + s_6.bounced_0;
-        var n_dot_v_5 : f32 = dot(s_6.sharp_0, s_6.view_0);
-        var _S83 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_6.sharp_0, s_6.view_0), s_6.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_6.gloss_3, s_6.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_6.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_6.gloss_3));
+        var _S83 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
+        var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
+        var _S84 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
         if(SHADING_0 == i32(2))
         {
-            _S77 = TAPS_0 > i32(0);
+            _S78 = TAPS_0 > i32(0);
         }
         else
         {
-            _S77 = false;
+            _S78 = false;
         }
-        if(_S77)
+        if(_S78)
         {
-            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_6.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
+            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S76;
+            direct_0 = _S77;
         }
-        var _S84 : vec3<f32> = direct_0;
-        direct_0 = _S83;
-        direct_1 = _S82;
-        direct_2 = _S84;
+        var _S85 : vec3<f32> = direct_0;
+        direct_0 = _S84;
+        direct_1 = _S83;
+        direct_2 = _S85;
     }
     else
     {
-        direct_0 = _S76;
-        direct_1 = _S76;
-        direct_2 = _S76;
+        direct_0 = _S77;
+        direct_1 = _S77;
+        direct_2 = _S77;
     }
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
     {
-        body_0 = s_6.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_6.mesh_normal_0, s_6.view_0), s_6.gloss_3, s_6.reflectance_1));
+        body_0 = s_7.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_7.mesh_normal_0, s_7.view_0), s_7.gloss_3, s_7.reflectance_1));
     }
     else
     {
-        body_0 = s_6.albedo_1;
+        body_0 = s_7.albedo_1;
     }
     var direct_5 : vec3<f32> = direct_3 * body_0;
     var deep_1 : vec3<f32> = deep_0 * body_0;
     var ambient_0 : vec3<f32> = direct_1 * body_0;
     var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S85 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S86 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
     var shown_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
@@ -1182,7 +1207,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        shown_0 = _S85;
+        shown_0 = _S86;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1208,7 +1233,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         shown_0 = min(shown_0, vec3<f32>(60000.0f));
     }
-    var _S86 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
-    return _S86;
+    var _S87 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
+    return _S87;
 }
 
