@@ -35,6 +35,7 @@ $(VENV)/.tools: $(VENV)/.ready tools/software_driver.py tools/language_tools.py
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps slangtorch==1.3.22
 	$(BIN)/python tools/software_driver.py
 	$(BIN)/python tools/language_tools.py
+	$(BIN)/python tools/gltf_validator_tool.py
 	@touch $@
 
 # One environment for all targets; made again when the dependencies change.

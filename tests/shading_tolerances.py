@@ -224,4 +224,6 @@ PYGFX_BEHIND = Tolerance(
 )
 
 BAKED_ATTRIBUTES = Tolerance(1e-6, "1/mm of up to 3, stored in single precision")
-BAKED_PICTURE = Tolerance(1e-3, "display values; curvature in single precision, a quarter of a level")
+BAKED_PICTURE = Tolerance(
+    1e-3, "display values; curvature in single precision, a quarter of a level"
+)

@@ -109,3 +109,16 @@ SCAN_CORRELATION = Tolerance(0.93, "of both files' curvature, split into other t
 QUANTISED_NORMALS = Tolerance(
     3e-3, "normals in 8 bits are 0.2° off, of the 17° that a coarse edge spans; smoothed; relative"
 )
+THICKNESS = Tolerance(0.01, "64 rays of a cone, facets of a sphere of 2,562 vertices; relative")
+THICKNESS_FEW_RAYS = Tolerance(
+    0.02, "where the wall is not smooth over the cone, or the mesh is coarse; relative"
+)
+THICKNESS_HALF_CONE = Tolerance(
+    0.02, "half the cone's rays, cut along the spiral's middle; relative"
+)
+EMBREE_WALL = Tolerance(2e-6, "single precision; of the body's size")
+EMBREE_THICKNESS = Tolerance(1e-4, "as EMBREE_WALL, of a slab a thirtieth as thick as it is wide")
+MAP_INTERPOLATED = Tolerance(1e-6, "a linear ramp at texel centres; barycentrics of the raster")
+UV_DENSITY = Tolerance(1e-9, "root of a ratio of two areas; relative")
+COARSE_EXTENT = Tolerance(0.02, "the axes of a turned ball of 162 vertices pass between them")
+MEMORY_OF_A_BOMB = Tolerance(2.0, "times what the honest file needs, the promise")

@@ -181,7 +181,8 @@ def _component(code: Any, here: str) -> np.dtype[Any]:
 
 def as_floats_of(values: np.ndarray[Any, Any], normalized: bool) -> FloatArray:
     """Return stored numbers as float64; integers in -1..1 or 0..1 where they are normalised."""
-    result: FloatArray = values.astype(np.float64)
+    with np.errstate(invalid="ignore"):  # of a signalling NaN, which is found later as any NaN is
+        result: FloatArray = values.astype(np.float64)
     if normalized and values.dtype.kind in "iu":
         result = np.maximum(result / np.iinfo(values.dtype).max, -1.0)
     return result

@@ -94,6 +94,8 @@ def analyse(body: Body, settings: BakeSettings, name: str, progress: Progress = 
             raise MeshError(f"{name}: {key} reaches {most:g}; is its unit right?")
     scale = None
     if body.uvs is not None and np.isfinite(body.uvs).all():
+        if float(np.abs(body.uvs).max()) > LARGEST_FLOAT:
+            raise MeshError(f"{name}: uvs reach {np.abs(body.uvs).max():g}, which no file can hold")
         try:
             scale = mesh_uv_scale(points, body.uvs, faces)
         except MeshError:

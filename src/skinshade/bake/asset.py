@@ -6,6 +6,7 @@ import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from .._core.errors import MeshError
 from .._core.progress import Progress, silent
 from ..mesh import Mesh, load_mesh
 from .analysis import Body, analyse
@@ -72,13 +73,13 @@ def bake(
     if is_gltf and place.suffix.lower() in GLTF:
         gltf = read_gltf(file)
         baked = bake_gltf(gltf, settings, progress)
-        maps = _maps(baked.meshes, place, settings)
+        maps = _maps(baked.meshes, file, place, settings)
         return BakedAsset(file, maps + write_gltf(gltf, baked, place), baked.meshes)
     mesh = _scene(file, settings) if is_gltf else load_mesh(file, unit_mm=settings.unit_mm)
     body = Body(mesh.positions_mm, mesh.faces, mesh.normals, mesh.uvs)
     analysed = analyse(body, settings, str(file), progress)
     told = BakedMesh(file.stem, mesh.unit_mm, body, analysed, dict(mesh.repairs))
-    maps = _maps([told], place, settings)
+    maps = _maps([told], file, place, settings)
     write_table(place, body, analysed, mesh.unit_mm, settings)
     return BakedAsset(file, [*maps, place], [told])
 
@@ -96,13 +97,18 @@ def _scene(file: Path, settings: BakeSettings) -> Mesh:
     )
 
 
-def _maps(meshes: list[BakedMesh], output: Path, settings: BakeSettings) -> list[Path]:
+def _maps(
+    meshes: list[BakedMesh], source: Path, output: Path, settings: BakeSettings
+) -> list[Path]:
     """Write the maps of every mesh, under its name where there are several."""
     if not settings.map_size:
         return []
     written = []
     for index, mesh in enumerate(meshes):
-        maps = texture_maps(mesh.body, mesh.analysed, settings.map_size)
+        try:
+            maps = texture_maps(mesh.body, mesh.analysed, settings.map_size)
+        except MeshError as error:
+            raise MeshError(f"{source}: mesh {mesh.name}: {error}") from None
         stem = output.stem if len(meshes) == 1 else f"{output.stem}-{index}"
         beside = output.with_name(f"{stem}.x")
         written += write_maps(maps, beside, f".{settings.map_format}")

@@ -235,7 +235,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _refuse_depth(document: Any) -> None:
-    level = [document]
+    level = [document] if isinstance(document, (dict, list)) else []
     for _ in range(DEEPEST):
         inner = [each.values() if isinstance(each, dict) else each for each in level]
         level = [part for each in inner for part in each if isinstance(part, (dict, list))]

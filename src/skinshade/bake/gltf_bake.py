@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .._core.arrays import FloatArray, IntArray, dot
+from .._core.arrays import FloatArray, IntArray, as_positions, dot
 from .._core.errors import MeshFileError
 from .._core.progress import Progress, silent
 from .._core.version import __version__
@@ -145,6 +145,7 @@ def read_scene(gltf: GltfFile, settings: BakeSettings) -> Body:
         placed = standing.get(index, [] if "nodes" in gltf.document else [np.eye(4)])
         found = _read_mesh(gltf, mesh, index, unit) if placed else None
         if found is not None:
+            as_positions(f"{gltf.path}: mesh {index}: positions", found[1].positions_mm / unit)
             for matrix in placed:
                 gltf.ask(
                     found[1].positions_mm.size + found[1].faces.size, f"{gltf.path}: mesh {index}"

@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError, SkinshadeError
 from .._core.files import atomic_write
 from .._core.version import __version__
@@ -225,6 +226,15 @@ def _hash(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+def _histogram(values: FloatArray) -> list[int]:
+    low, high = float(values.min()), float(values.max())
+    # Values that are equal but for rounding still need bins between them.
+    around = 1e-6 * max(abs(low), abs(high)) or 0.5
+    count, _ = np.histogram(values, HISTOGRAM_BINS, (low - around, high + around))
+    found: list[int] = count.tolist()
+    return found
+
+
 def _told(baked: BakedAsset) -> list[dict[str, Any]]:
     return [
         {
@@ -239,8 +249,7 @@ def _told(baked: BakedAsset) -> list[dict[str, Any]]:
                 for name, values in mesh.analysed.attributes.items()
             },
             "histograms": {
-                name: np.histogram(values, bins=HISTOGRAM_BINS)[0].tolist()
-                for name, values in mesh.analysed.attributes.items()
+                name: _histogram(values) for name, values in mesh.analysed.attributes.items()
             },
             "notes": {**mesh.notes, **mesh.analysed.notes},
         }

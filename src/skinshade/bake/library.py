@@ -149,11 +149,19 @@ def _on_cluster(
     with client:
         futures = [client.submit(work, job, retries=MOST_DEATHS, pure=False) for job in jobs]
         places = {future.key: index for index, future in enumerate(futures)}
-        for future in dask.as_completed(futures):
-            job = jobs[places[future.key]]
+        doubted = []
+        for future in dask.as_completed(futures, loop=client.loop):
             try:
                 result = future.result()
-            except Exception as error:  # what a cluster says of workers that died, or of lost data
+            except Exception:  # what a cluster says of workers that died, or of lost data
+                doubted.append(places[future.key])
+            else:
+                yield places[future.key], result
+        for index in doubted:  # one at a time: many die with a worker that one of them killed
+            job = jobs[index]
+            try:
+                result = client.submit(work, job, retries=MOST_DEATHS, pure=False).result()
+            except Exception as error:
                 why = f"{job.source}: the cluster gave up on it ({type(error).__name__}: {error})"
                 result = JobResult(str(job.source), str(job.output), "failed", error=why)
-            yield places[future.key], result
+            yield index, result
