@@ -15,6 +15,7 @@ from .._core.progress import Progress, silent
 from .._core.version import __version__
 from .accessors import FAN, STRIP, TRIANGLES, read_accessor, read_triangles
 from .analysis import Analysed, Body, analyse
+from .draco import DRACO, read_draco
 from .gltf import REFUSED, GltfFile
 from .placement import placements, scale_of
 from .settings import BakeSettings
@@ -31,8 +32,6 @@ NAMES = {
 """Attributes of a primitive, and which numbers of the analysis they hold: xx xy xz, then yy yz zz."""
 WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
 """Attributes that are read, and how many numbers each has."""
-WANTED = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
-"""What the analysis takes of a primitive, and how many numbers each has."""
 UNITS = {"curvature": "1/mm", "tensor": "1/mm", "thickness": "mm"}
 TYPES = {1: "SCALAR", 3: "VEC3"}
 
@@ -200,7 +199,13 @@ def _geometry_of(gltf: GltfFile, mesh: dict[str, Any], index: int) -> str:
     """What the triangles of a mesh are made of: the same for meshes of the same."""
     return repr(
         [
-            (number, each.get("indices"), each.get("mode"), _vertices_of(each))
+            (
+                number,
+                each.get("indices"),
+                each.get("mode"),
+                _vertices_of(each),
+                each.get("extensions"),
+            )
             for number, each in _triangle_primitives(gltf, mesh, index)
         ]
     )
@@ -218,14 +223,19 @@ def _read_mesh(
     for number, primitive in _triangle_primitives(gltf, mesh, index):
         where = f"mesh {index}: primitive {number}"
         key = _vertices_of(primitive)
-        if key not in known:  # primitives often share their vertices, and differ in indices
+        table, corners = None, None
+        if DRACO in (primitive.get("extensions") or {}):
+            table, corners = read_draco(gltf, primitive, WIDTHS, where)
+        elif key not in known:  # primitives often share their vertices, and differ in indices
             table = _columns(gltf, primitive, where)
+        if table is not None:
             known[key] = slice(start, start + len(table["POSITION"]))
             columns.append(table)
             start = known[key].stop
         vertices = known[key]
-        count = vertices.stop - vertices.start
-        faces.append(read_triangles(gltf, primitive, count, where) + vertices.start)
+        if corners is None:
+            corners = read_triangles(gltf, primitive, vertices.stop - vertices.start, where)
+        faces.append(corners + vertices.start)
         parts.append(_Part(number, vertices))
     if not parts or not sum(map(len, faces)):
         return None
