@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import trimesh
 
 import shading_tolerances as tol
+from gltf_validator import assert_valid
 from skinshade.bake import BakeSettings, bake
 from skinshade.mesh import attributes as module
 from skinshade.mesh import load_mesh
@@ -18,12 +20,19 @@ SIZE = (160, 200)
 
 
 @pytest.fixture(scope="module")
-def pair(data_dir, tmp_path_factory):
+def baked_scan(data_dir, tmp_path_factory):
+    """The scan with everything that can be baked."""
+    output = tmp_path_factory.mktemp("baked") / "scan.glb"
+    settings = BakeSettings(unit_mm=50.35, tensor=True, thickness=True)
+    bake(data_dir / "lps" / "LeePerrySmith.glb", output, settings)
+    return output
+
+
+@pytest.fixture(scope="module")
+def pair(data_dir, baked_scan):
     """The raw scan, and what is read of the baked one without being told its unit."""
     raw = data_dir / "lps" / "LeePerrySmith.glb"
-    output = tmp_path_factory.mktemp("baked") / "scan.glb"
-    bake(raw, output, BakeSettings(unit_mm=50.35, tensor=True))
-    return load_mesh(raw, unit_mm=50.35), load_mesh(output)
+    return load_mesh(raw, unit_mm=50.35), load_mesh(baked_scan)
 
 
 @pytest.mark.slow
@@ -51,3 +60,20 @@ def test_pygfx_draws_the_same_of_both(pair):
     assert np.array_equal(raw.positions.data, baked.positions.data)
     apart = np.abs(raw.skin_attributes.data - baked.skin_attributes.data).max()
     assert apart <= tol.BAKED_ATTRIBUTES.value
+
+
+def test_the_baked_scan_is_valid(baked_scan):
+    assert_valid(baked_scan)
+
+
+def test_trimesh_reads_what_was_baked(baked_scan, data_dir):
+    (found,) = trimesh.load_scene(baked_scan, process=False).geometry.values()
+    (raw,) = trimesh.load_scene(
+        data_dir / "lps" / "LeePerrySmith.glb", process=False
+    ).geometry.values()
+    assert np.array_equal(found.vertices, raw.vertices)
+    assert np.array_equal(found.faces, raw.faces)
+    thickness = found.vertex_attributes["_THICKNESS"][:, 0]
+    # An ear is some millimetres thick, a head a hand's breadth and more.
+    low, middle, high = np.percentile(thickness, [1.0, 50.0, 99.0])
+    assert 0.5 < low < 12.0 < middle < high < 400.0

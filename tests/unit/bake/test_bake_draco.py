@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import shapes
-from skinshade._core.errors import MeshFileError
+from skinshade._core.errors import MeshFileError, SkinshadeError
 from skinshade.bake import BakeSettings, bake
 from skinshade.bake import draco as module
 from skinshade.bake.accessors import read_accessor
@@ -118,3 +118,23 @@ def test_a_malformed_extension_is_named(tmp_path, described):
     with pytest.raises(MeshFileError, match=r"bad\.glb"):
         bake(tmp_path / "bad.glb", tmp_path / "out.glb", SETTINGS)
     assert not (tmp_path / "out.glb").exists()
+
+
+def test_spoilt_bytes_are_an_error_of_ours_or_a_whole_result(tmp_path):
+    compressed(tmp_path / "ball.glb")
+    whole = (tmp_path / "ball.glb").read_bytes()
+    start, rng = whole.find(b"DRACO"), np.random.default_rng(5)
+    outcomes = set()
+    for _ in range(150):
+        spoilt = bytearray(whole)
+        for at in rng.integers(start, len(whole), rng.integers(1, 6)):
+            spoilt[at] = rng.integers(256)
+        (tmp_path / "bad.glb").write_bytes(spoilt)
+        try:
+            baked = bake(tmp_path / "bad.glb", tmp_path / "out.glb", BakeSettings())
+        except SkinshadeError:
+            outcomes.add("refused")
+            continue
+        outcomes.add("baked")
+        assert np.isfinite(baked.meshes[0].analysed.attributes["curvature"]).all()
+    assert outcomes == {"refused", "baked"}

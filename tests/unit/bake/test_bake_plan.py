@@ -146,6 +146,25 @@ def test_what_is_current_by_content_is_left_alone(tmp_path, name):
     assert run(job).status == "current"
 
 
+def test_what_a_killed_process_left_half_written_is_removed(tmp_path):
+    """Hidden files stayed in the library forever, and were models by their suffix."""
+    write_asset(tmp_path / "in" / "a.glb")
+    write_asset(tmp_path / "in" / "a-b.glb")
+    job = plan([tmp_path / "in"], tmp_path / "out", replace(SETTINGS, map_size=4))[-1]
+    assert job.output.name == "a.glb"
+    job.record.parent.mkdir(parents=True)
+    left = [job.output.parent / ".a-abcd_123.glb", job.record.parent / ".a.glb-12345678.json"]
+    left += [job.output.parent / ".a.curvature-abcdefgh.exr"]
+    others = [
+        job.output.parent / name for name in (".a-b-abcd_123.glb", ".a-b.glb", "a-12345678.glb")
+    ]
+    for path in (*left, *others):
+        path.touch()
+    run(job)
+    assert [path.exists() for path in left] == [False] * len(left)
+    assert [path.exists() for path in others] == [True] * len(others)
+
+
 def test_a_body_of_one_curvature_has_a_histogram(tmp_path):
     """Values that are equal but for rounding left no room for bins: an internal error."""
     write_asset(tmp_path / "in" / "a.glb")
