@@ -31,7 +31,7 @@ shaders: $(VENV)/.tools
 	$(BIN)/python -m skinshade.codegen
 
 # The Slang compiler comes in the wheel of its PyTorch binding, which would pull PyTorch.
-$(VENV)/.tools: $(VENV)/.ready tools/software_driver.py tools/language_tools.py
+$(VENV)/.tools: $(VENV)/.ready $(wildcard tools/*.py)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps slangtorch==1.3.22
 	$(BIN)/python tools/software_driver.py
 	$(BIN)/python tools/language_tools.py

@@ -103,12 +103,14 @@ def _maps(
     """Write the maps of every mesh, under its name where there are several."""
     if not settings.map_size:
         return []
-    written = []
-    for index, mesh in enumerate(meshes):
+    made = []
+    for mesh in meshes:  # all of them before the first is written
         try:
-            maps = texture_maps(mesh.body, mesh.analysed, settings.map_size)
+            made.append(texture_maps(mesh.body, mesh.analysed, settings.map_size))
         except MeshError as error:
             raise MeshError(f"{source}: mesh {mesh.name}: {error}") from None
+    written = []
+    for index, maps in enumerate(made):
         stem = output.stem if len(meshes) == 1 else f"{output.stem}-{index}"
         beside = output.with_name(f"{stem}.x")
         written += write_maps(maps, beside, f".{settings.map_format}")

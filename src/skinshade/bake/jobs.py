@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
+from glob import escape
 from pathlib import Path
 from typing import Any, Literal
 
@@ -19,6 +20,7 @@ from ..profile import Profile
 from ..scene.images import write_png
 from .asset import BakedAsset, bake
 from .gltf import read_gltf
+from .maps import UNITS as MAP_UNITS
 from .settings import BakeSettings
 from .thumbnails import thumbnails
 
@@ -146,6 +148,7 @@ def run(job: Job) -> JobResult:
         if known is not None:
             return known
         job.output.parent.mkdir(parents=True, exist_ok=True)
+        _sweep(job)
         baked = bake(job.source, job.output, job.settings)
         result = JobResult(
             str(job.source),
@@ -170,6 +173,16 @@ def run(job: Job) -> JobResult:
     except Exception as error:
         return _failed(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
     return result
+
+
+def _sweep(job: Job) -> None:
+    """Remove what an earlier process was writing for this job when it was killed."""
+    beside = job.output.with_suffix(".skinshade.bin")
+    maps = [job.output.with_suffix(f".{name}.{job.settings.map_format}") for name in MAP_UNITS]
+    for target in (job.output, job.record, beside, *maps):
+        # As `atomic_write` names them: eight characters of tempfile's.
+        for left in target.parent.glob(f".{escape(target.stem)}-????????{escape(target.suffix)}"):
+            left.unlink(missing_ok=True)
 
 
 def _failed(job: Job, error: str) -> JobResult:

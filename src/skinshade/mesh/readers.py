@@ -123,7 +123,7 @@ def _parts(file: Path) -> list[dict[str, Any]]:
                 part = _part(geometry, np.asarray(matrix, dtype=np.float64))
                 parts.append(_merged(part) if file.suffix.lower() == ".obj" else part)
     except Exception as error:
-        raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r}") from None
+        raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r:.300}") from None
     if not parts:
         raise MeshFileError(f"{file}: holds no triangles")
     return parts
