@@ -14,6 +14,8 @@ from .shadows import Shadows
 __all__ = ["SkinPass"]
 
 ANISOTROPY = 16
+MAPS = {"albedo": 1, "specular": 2, "deep_scatter": 4, "normal": 8}
+"""As the pass counts what a material has."""
 
 
 class SkinPass:
@@ -41,7 +43,9 @@ class SkinPass:
     def pipeline(self, way: RenderSettings, target: str, samples: int) -> wgpu.GPURenderPipeline:
         """Return what shades a way into a target's format, where depth has been drawn."""
         scene = self._resources.prepared.scene
-        mapped = "normal" in self._resources.prepared.textures
+        textures = self._resources.prepared.textures
+        mapped = "normal" in textures
+        there = [name for name in MAPS if name in textures and textures[name].size > 1]
         constants = {
             "SHADING": SHADINGS.index(way.shading),
             "TIER": TIERS.index(way.tier),
@@ -52,6 +56,7 @@ class SkinPass:
             "SHADOW_FILTER": SHADOW_FILTERS.index(way.shadow_filter),
             "FETCHES": way.normal_fetches if mapped else 1,
             "MULTISAMPLED": int(samples > 1),
+            "MAPS": sum(MAPS[name] for name in there),
         }
         return self._program.pipeline(
             constants,
