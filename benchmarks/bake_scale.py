@@ -14,9 +14,9 @@ import sys
 import time
 
 import numpy as np
+import trimesh
 
 import skinshade as sk
-from performance import icosphere
 
 LEAST, MOST = 5, 9
 """Subdivisions of an icosphere: 20,480 triangles, and 5.2 million."""
@@ -25,7 +25,8 @@ RUNS = 3
 
 def measured(subdivisions: int, shuffled: bool) -> str:
     """Return a row of the table; runs in a process of its own."""
-    points, faces = icosphere(subdivisions)
+    mesh = trimesh.creation.icosphere(subdivisions)
+    points, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces, dtype=np.int64)
     if shuffled:
         rng = np.random.default_rng(1)
         order = rng.permutation(len(points))

@@ -35,13 +35,6 @@ def best_of(runs: int, work: Callable[[], object]) -> float:
     return min(times)
 
 
-def icosphere(subdivisions: int) -> tuple[np.ndarray, np.ndarray]:
-    import trimesh
-
-    mesh = trimesh.creation.icosphere(subdivisions)
-    return np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int64)
-
-
 def torus(around: int, along: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return positions, faces and normals of a grid on a torus of radii 60 and 25."""
     u, v = np.meshgrid(

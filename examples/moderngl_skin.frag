@@ -9,14 +9,6 @@ in vec2 uv;
 in vec3 xx_xy_xz, yy_yz_zz, curvature;
 out vec4 colour;
 
-// The shorter axis of the footprint, but an eighth of the longer one at least.
-float map_level(vec2 size)
-{
-    vec2 along_x = dFdx(uv) * size, along_y = dFdy(uv) * size;
-    float x = dot(along_x, along_x), y = dot(along_y, along_y);
-    return max(0.5 * log2(max(max(min(x, y), max(x, y) / 64.0), 1e-30)), 0.0);
-}
-
 vec3 world_normal(vec3 n, float level)
 {
     vec3 t = normalize(tangent.xyz - n * dot(tangent.xyz, n)), b = cross(n, t) * sign(tangent.w);
@@ -27,7 +19,7 @@ void main()
 {
     vec3 n = normalize(normal), view = normalize(eye_mm - position);
     vec2 size = vec2(textureSize(normal_map, 0));
-    float level = map_level(size), side = max(size.x, size.y);
+    float level = skin_map_level(size, dFdx(uv), dFdy(uv)), side = max(size.x, size.y);
     vec2 sigmas_mm = scatter_block.normal_sigmas_mm;
     mat3 fetched = mat3(
         world_normal(n, level),
@@ -42,7 +34,8 @@ void main()
     vec3 diffuse = skin_direct_tensor(
         ring_lut, scatter_block.ring_axes, transfer_lut, scatter_block.transfer_axes,
         skin_blend_normals(fetched, weights), to_light, bends.x, bends.y, gain);
-    vec3 albedo = textureLod(albedo_map, uv, map_level(vec2(textureSize(albedo_map, 0)))).rgb
+    vec2 albedo_size = vec2(textureSize(albedo_map, 0));
+    vec3 albedo = textureLod(albedo_map, uv, skin_map_level(albedo_size, dFdx(uv), dFdy(uv))).rgb
         * skin_diffuse_share(dot(n, view), gloss, skin_block.reflectance);
     float highlight = skin_specular(normalize(fetched[0]), view, to_light, gloss, skin_block.reflectance);
     colour = vec4(light_radiance * (albedo * diffuse + highlight), 1.0);

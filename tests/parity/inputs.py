@@ -79,6 +79,13 @@ def one_for_all_uv(rng):
     return np.tile(rng.uniform(0.002, 0.05, 2), (COUNT, 1))
 
 
+def footprint(rng):
+    """Changes of UV from nothing to the whole map."""
+    along = 10.0 ** rng.uniform(-6.0, 0.0, (COUNT, 1)) * rng.normal(size=(COUNT, 2))
+    along[0] = 0.0
+    return along
+
+
 VALUES = {
     "albedo": rgb(0.02, 0.95),
     "band_transfer": lambda rng: uniform(0.0, 1.2)(rng, (3, 3)),
@@ -102,6 +109,7 @@ VALUES = {
     "irradiance_behind": rgb(0.0, 2.0),
     "light": unit,
     "m": uniform(-1.0, 1.0, 0.0),
+    "map_extent": lambda rng: 2.0 ** rng.integers(0, 14, (COUNT, 2)),
     "map_size": one_for_all(256.0, 4096.0),
     "mean_depth_mm": uniform(-150.0, 150.0, 0.0),
     "mean_square_depth_mm2": uniform(0.0, 3e4, 100.0),
@@ -140,6 +148,8 @@ VALUES = {
     "total_per_mm": uniform(0.5, 1.0),
     "transmitted": rgb(0.0, 1.0),
     "uv": lambda rng: uniform(-0.05, 1.05)(rng, (2,)),
+    "uv_along_x": footprint,
+    "uv_along_y": footprint,
     "uv_scale_mm": one_for_all(100.0, 900.0),
     "view": unit,
     "visibility": uniform(0.0, 1.0),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import fields
-from importlib.resources import files
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +13,7 @@ from hypothesis import strategies as st
 from skinshade.params import BLOCKS
 from skinshade.params.fields import meaning
 from skinshade.params.packing import float_count, layout
+from skinshade.shaders import generated_text
 
 
 def filled(of):
@@ -35,8 +35,7 @@ def filled(of):
 def echo(device):
     import wgpu
 
-    text = files("skinshade.shaders").joinpath("generated/echo.wgsl").read_text("utf-8")
-    module = device.create_shader_module(code=text)
+    module = device.create_shader_module(code=generated_text("echo.wgsl"))
     usage = wgpu.BufferUsage
 
     def run(block, data):

@@ -18,6 +18,7 @@ __all__ = [
     "as_positions",
     "as_rgb",
     "as_triple",
+    "bounding_sphere",
     "dot",
     "unit_vectors",
 ]
@@ -126,6 +127,12 @@ def dot(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the scalar product over the last axis, without a temporary of the product."""
     result: FloatArray = np.einsum("...i,...i->...", a, b)
     return result
+
+
+def bounding_sphere(points: FloatArray) -> tuple[FloatArray, float]:
+    """Return the middle (3,) of the box about `points` (N, 3), and the distance of the farthest of them."""
+    middle: FloatArray = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    return middle, float(np.sqrt(dot(points - middle, points - middle).max()))
 
 
 def unit_vectors(vectors: FloatArray) -> FloatArray:

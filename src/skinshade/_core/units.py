@@ -6,10 +6,12 @@ import math
 
 from .errors import UnitError
 
-__all__ = ["MM_PER_UNIT", "checked_unit_mm", "parse_unit_mm"]
+__all__ = ["GLTF_UNIT_MM", "MM_PER_UNIT", "checked_unit_mm", "parse_unit_mm"]
 
 MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
 """Millimetres in one of each named unit (the inch and the foot by definition of 1959)."""
+GLTF_UNIT_MM = MM_PER_UNIT["m"]
+"""The format prescribes metres."""
 UNIT_RANGE_MM = (1e-6, 1e9)
 """A nanometre to a thousand kilometres: beyond it no unit is meant."""
 

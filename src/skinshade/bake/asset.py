@@ -8,18 +8,18 @@ from pathlib import Path
 
 from .._core.errors import MeshError
 from .._core.progress import Progress, silent
+from .._core.units import GLTF_UNIT_MM
 from ..mesh import Mesh, load_mesh
+from ..mesh.readers import GLTF_SUFFIXES
 from .analysis import Body, analyse
 from .gltf import read_gltf
-from .gltf_bake import METRE_MM, BakedMesh, bake_gltf, read_scene
+from .gltf_bake import BakedMesh, bake_gltf, read_scene
 from .gltf_write import write_gltf
 from .maps import texture_maps, write_maps
 from .settings import BakeSettings
 from .tables import write_table
 
 __all__ = ["BakedAsset", "bake"]
-
-GLTF = (".glb", ".gltf")
 
 
 @dataclass(frozen=True)
@@ -69,8 +69,8 @@ def bake(
     """
     settings = settings or BakeSettings()
     file, place = Path(source), Path(output)
-    is_gltf = file.suffix.lower() in GLTF
-    if is_gltf and place.suffix.lower() in GLTF:
+    is_gltf = file.suffix.lower() in GLTF_SUFFIXES
+    if is_gltf and place.suffix.lower() in GLTF_SUFFIXES:
         gltf = read_gltf(file)
         baked = bake_gltf(gltf, settings, progress)
         maps = _maps(baked.meshes, file, place, settings)
@@ -86,7 +86,7 @@ def bake(
 
 def _scene(file: Path, settings: BakeSettings) -> Mesh:
     """A glTF scene as one mesh, read as carefully as one that stays glTF."""
-    body, unit = read_scene(read_gltf(file), settings), settings.unit_mm or METRE_MM
+    body, unit = read_scene(read_gltf(file), settings), settings.unit_mm or GLTF_UNIT_MM
     return Mesh.checked(
         body.positions_mm / unit,
         body.faces,

@@ -56,11 +56,6 @@ class GltfFile:
     _items: dict[str, list[Any]] = field(default_factory=dict)
     _asked: int = 0
 
-    @property
-    def is_binary(self) -> bool:
-        """Whether it is a GLB."""
-        return self.path.suffix.lower() == ".glb"
-
     def items(self, key: str) -> list[Any]:
         """Return a top-level array; empty without it.
 

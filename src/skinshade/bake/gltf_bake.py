@@ -12,28 +12,19 @@ import numpy as np
 from .._core.arrays import FloatArray, IntArray, as_positions, dot
 from .._core.errors import MeshFileError
 from .._core.progress import Progress, silent
-from .._core.version import __version__
+from .._core.units import GLTF_UNIT_MM
 from .accessors import FAN, STRIP, TRIANGLES, read_accessor, read_triangles
 from .analysis import Analysed, Body, analyse
 from .draco import DRACO, read_draco
 from .gltf import REFUSED, GltfFile
+from .gltf_attributes import NAMES, AccessorWriter, baked_note
 from .placement import placements, scale_of
 from .settings import BakeSettings
 
-__all__ = ["NEW_BUFFER", "BakedMesh", "GltfBake", "bake_gltf", "read_scene"]
+__all__ = ["BakedMesh", "GltfBake", "bake_gltf", "read_scene"]
 
-METRE_MM = 1000.0
-FLOAT, ARRAY_BUFFER = 5126, 34962
-NAMES = {
-    "curvature": (("_CURVATURE", slice(0, 1)),),
-    "tensor": (("_CURVATURE_TENSOR_0", slice(0, 3)), ("_CURVATURE_TENSOR_1", slice(3, 6))),
-    "thickness": (("_THICKNESS", slice(0, 1)),),
-}
-"""Attributes of a primitive, and which numbers of the analysis they hold: xx xy xz, then yy yz zz."""
 WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
 """Attributes that are read, and how many numbers each has."""
-UNITS = {"curvature": "1/mm", "tensor": "1/mm", "thickness": "mm"}
-TYPES = {1: "SCALAR", 3: "VEC3"}
 
 
 @dataclass(frozen=True)
@@ -66,9 +57,9 @@ class GltfBake:
     Attributes
     ----------
     document
-        The new JSON, but for the buffer that ``added`` goes to.
+        The new JSON, but for the place of ``added``.
     added
-        Bytes of the new attributes; their views count from 0 in buffer −1.
+        Bytes of the new attributes, whose views are the last, and count from the first of these.
     meshes
         Those that were baked.
     """
@@ -126,7 +117,7 @@ def bake_gltf(gltf: GltfFile, settings: BakeSettings, progress: Progress = silen
             baked.append(BakedMesh(name, unit, body, result, notes))
     if not baked:
         raise MeshFileError(f"{gltf.path}: holds no triangles")
-    return GltfBake(writer.document, bytes(writer.added), baked)
+    return GltfBake(writer.document, bytes(writer.accessors.data), baked)
 
 
 def read_scene(gltf: GltfFile, settings: BakeSettings) -> Body:
@@ -137,7 +128,7 @@ def read_scene(gltf: GltfFile, settings: BakeSettings) -> Body:
     MeshFileError
         If the file is malformed, or holds no triangles.
     """
-    unit = settings.unit_mm or METRE_MM
+    unit = settings.unit_mm or GLTF_UNIT_MM
     standing = placements(gltf)
     bodies = []
     for index, mesh in enumerate(gltf.items("meshes")):
@@ -179,7 +170,7 @@ def _unit_mm(
 ) -> tuple[float, dict[str, int]]:
     """Length of a mesh's unit where it stands first, and what is to be said of it."""
     notes: dict[str, int] = {}
-    unit = settings.unit_mm or METRE_MM
+    unit = settings.unit_mm or GLTF_UNIT_MM
     if placed:
         scale, even = scale_of(placed[0])
         if not 1e-9 < scale < 1e9:
@@ -300,16 +291,12 @@ def _all_of(parts: list[FloatArray | None]) -> FloatArray | None:
     return np.concatenate(found) if len(found) == len(parts) else None
 
 
-NEW_BUFFER = -1
-"""Stands for the buffer that whoever writes the file decides on."""
-
-
 class _Writer:
-    """Adds accessors to a copy of the document."""
+    """Adds attributes to a copy of the document."""
 
     def __init__(self, gltf: GltfFile) -> None:
         self.document = copy.deepcopy(gltf.document)
-        self.added = bytearray()
+        self.accessors = AccessorWriter(self.document)
         self._known: dict[tuple[int, str, int], tuple[Analysed, int]] = {}
 
     def add(
@@ -321,48 +308,16 @@ class _Writer:
         settings: BakeSettings,
     ) -> None:
         """Add what was baked of one mesh, and say so in its extras."""
-        mesh, told = self.document["meshes"][index], {}
+        mesh = self.document["meshes"][index]
         for key, values in result.attributes.items():
             for name, numbers in NAMES[key]:
-                told[name] = UNITS[key]
                 for part in parts:
                     attributes = mesh["primitives"][part.number]["attributes"]
                     place = (id(result), name, part.vertices.start)
                     if place not in self._known:
-                        added = self._accessor(values[part.vertices, numbers])
+                        added = self.accessors.vertices(values[part.vertices, numbers])
                         self._known[place] = result, added
                     attributes[name] = self._known[place][1]
         extras = mesh.setdefault("extras", {})
         if isinstance(extras, dict):
-            extras["skinshade"] = {
-                "version": __version__,
-                "unit_mm": unit_mm,
-                "profile": settings.profile,
-                "uv_scale_mm": result.uv_scale_mm,
-                "attributes": told,
-            }
-
-    def _accessor(self, values: FloatArray) -> int:
-        data = np.ascontiguousarray(values, dtype="<f4")
-        views = self.document.setdefault("bufferViews", [])
-        views.append(
-            {
-                "buffer": NEW_BUFFER,
-                "byteOffset": len(self.added),
-                "byteLength": data.nbytes,
-                "target": ARRAY_BUFFER,
-            }
-        )
-        self.added += data.tobytes()
-        accessors = self.document.setdefault("accessors", [])
-        accessors.append(
-            {
-                "bufferView": len(views) - 1,
-                "componentType": FLOAT,
-                "count": len(data),
-                "type": TYPES[data.shape[1]],
-                "min": [float(value) for value in data.min(axis=0)],
-                "max": [float(value) for value in data.max(axis=0)],
-            }
-        )
-        return len(accessors) - 1
+            extras["skinshade"] = baked_note(result, unit_mm, settings)

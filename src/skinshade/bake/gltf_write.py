@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 from .._core.errors import ArgumentError
 from .._core.files import atomic_write
+from ..mesh.readers import GLTF_SUFFIXES
 from .gltf import GltfFile, glb_bytes, json_bytes
 from .gltf_bake import GltfBake
 
@@ -39,7 +40,7 @@ def write_gltf(gltf: GltfFile, baked: GltfBake, output: Path) -> list[Path]:
         If the suffix is another, a place cannot be written, or a file referred to is not there.
     """
     suffix = output.suffix.lower()
-    if suffix not in (".glb", ".gltf"):
+    if suffix not in GLTF_SUFFIXES:
         raise ArgumentError(f"{output}: suffix {output.suffix!r}; a glTF file stays .glb or .gltf")
     document = copy.deepcopy(baked.document)
     buffers: list[dict[str, Any]] = document.setdefault("buffers", [])

@@ -16,6 +16,7 @@ from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError, SkinshadeError
 from .._core.files import atomic_write
 from .._core.version import __version__
+from ..mesh.readers import GLTF_SUFFIXES, SUFFIXES
 from ..profile import Profile
 from ..scene.images import write_png
 from .asset import BakedAsset, bake
@@ -26,11 +27,8 @@ from .thumbnails import thumbnails
 
 __all__ = ["Job", "JobResult", "plan", "run"]
 
-MODELS = (".glb", ".gltf", ".obj", ".ply", ".stl")
 RECORDS = ".skinshade"
 """Folder beside the assets: a record of each, so that what is current is not baked again."""
-
-
 HISTOGRAM_BINS = 48
 
 
@@ -124,7 +122,7 @@ def plan(
     jobs: dict[Path, Job] = {}
     taken: dict[Path, Path] = {}
     for source in models:
-        kept = source.suffix.lower() in (".glb", ".gltf")
+        kept = source.suffix.lower() in GLTF_SUFFIXES
         ending = suffix or (source.suffix if kept else ".glb")
         relative = source.relative_to(common).with_suffix(ending)
         output = folder / relative
@@ -194,7 +192,9 @@ def _models(source: Path, folder: Path) -> list[Path]:
     if not source.is_dir():
         return [source]
     baked = folder.resolve()
-    found = [each for each in source.rglob("*") if each.suffix.lower() in MODELS and each.is_file()]
+    found = [
+        each for each in source.rglob("*") if each.suffix.lower() in SUFFIXES and each.is_file()
+    ]
     return [each for each in found if not each.resolve().is_relative_to(baked)]
 
 
@@ -209,7 +209,7 @@ def _key(job: Job) -> str:
     """Hash of the source, of what it refers to, of the settings and of the version."""
     digest = hashlib.sha256(f"{__version__} {job.output.suffix} {job.settings}".encode())
     digest.update(job.source.read_bytes() if job.source.is_file() else b"")
-    if job.source.suffix.lower() in (".glb", ".gltf"):
+    if job.source.suffix.lower() in GLTF_SUFFIXES:
         gltf = read_gltf(job.source)
         for relative in gltf.external_files():
             file = gltf.path.parent / relative

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 from .._core.errors import ArgumentError
 from .._core.units import checked_unit_mm
@@ -58,6 +58,6 @@ class BakeSettings:
             raise ArgumentError(f"map_size is {self.map_size}; it must be 0 or 4..16384 texels")
         if self.map_format not in ("exr", "png"):
             raise ArgumentError(f"map_format is {self.map_format!r}; it must be exr or png")
-        if self.tracing not in ("auto", "embree", "builtin"):
+        if self.tracing not in get_args(RayTracing):
             raise ArgumentError(f"tracing is {self.tracing!r}; it must be auto, embree or builtin")
         Profile.preset(self.profile)

@@ -9,17 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError, DependencyError
 from .._core.files import atomic_write
+from .._core.units import GLTF_UNIT_MM
 from .._core.version import __version__
 from .analysis import Analysed, Body
 from .gltf import glb_bytes
+from .gltf_attributes import NAMES, AccessorWriter, baked_note
 from .settings import BakeSettings
 
 __all__ = ["write_table"]
 
-METRE_MM = 1000.0
 COLUMNS = {
     "curvature": ("curvature",),
     "tensor": ("tensor_xx", "tensor_xy", "tensor_xz", "tensor_yy", "tensor_yz", "tensor_zz"),
@@ -78,70 +78,27 @@ def _ply(body: Body, analysed: Analysed, unit_mm: float, settings: BakeSettings)
 
 
 def _glb(body: Body, analysed: Analysed, unit_mm: float, settings: BakeSettings) -> bytes:
-    data = bytearray()
-    views: list[dict[str, Any]] = []
-    accessors: list[dict[str, Any]] = []
-
-    def added(values: FloatArray | np.ndarray[Any, Any], kind: str, target: int) -> int:
-        stored = np.ascontiguousarray(values)
-        views.append(
-            {"buffer": 0, "byteOffset": len(data), "byteLength": stored.nbytes, "target": target}
-        )
-        data.extend(stored.tobytes())
-        component = 5125 if stored.dtype.kind == "u" else 5126
-        bounds = {
-            "min": [float(value) for value in stored.min(axis=0)],
-            "max": [float(value) for value in stored.max(axis=0)],
-        }
-        accessors.append(
-            {
-                "bufferView": len(views) - 1,
-                "componentType": component,
-                "count": len(stored),
-                "type": kind,
-                **({} if component == 5125 else bounds),
-            }
-        )
-        return len(accessors) - 1
-
-    def floats(values: FloatArray, kind: str) -> int:
-        return added(values.astype("<f4"), kind, 34962)
-
-    attributes = {"POSITION": floats(body.positions_mm / METRE_MM, "VEC3")}
+    document: dict[str, Any] = {}
+    accessors = AccessorWriter(document)
+    attributes = {"POSITION": accessors.vertices(body.positions_mm / GLTF_UNIT_MM)}
     if body.normals is not None:
-        attributes["NORMAL"] = floats(body.normals, "VEC3")
+        attributes["NORMAL"] = accessors.vertices(body.normals)
     if body.uvs is not None:
-        attributes["TEXCOORD_0"] = floats(body.uvs, "VEC2")
-    found = analysed.attributes
-    attributes["_CURVATURE"] = floats(found["curvature"], "SCALAR")
-    if "tensor" in found:
-        attributes["_CURVATURE_TENSOR_0"] = floats(found["tensor"][:, :3], "VEC3")
-        attributes["_CURVATURE_TENSOR_1"] = floats(found["tensor"][:, 3:], "VEC3")
-    if "thickness" in found:
-        attributes["_THICKNESS"] = floats(found["thickness"], "SCALAR")
-    told = {
-        "version": __version__,
-        "unit_mm": METRE_MM,
-        "profile": settings.profile,
-        "uv_scale_mm": analysed.uv_scale_mm,
-    }
-    corners = added(body.faces.reshape(-1, 1).astype("<u4"), "SCALAR", 34963)
-    document = {
+        attributes["TEXCOORD_0"] = accessors.vertices(body.uvs)
+    for key, values in analysed.attributes.items():
+        for name, numbers in NAMES[key]:
+            attributes[name] = accessors.vertices(values[:, numbers])
+    primitive = {"attributes": attributes, "indices": accessors.corners(body.faces)}
+    note = baked_note(analysed, GLTF_UNIT_MM, settings)
+    document |= {
         "asset": {"version": "2.0", "generator": f"skinshade {__version__}"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0}],
-        "meshes": [
-            {
-                "primitives": [{"attributes": attributes, "indices": corners}],
-                "extras": {"skinshade": told},
-            }
-        ],
-        "buffers": [{"byteLength": len(data)}],
-        "bufferViews": views,
-        "accessors": accessors,
+        "meshes": [{"primitives": [primitive], "extras": {"skinshade": note}}],
+        "buffers": [{"byteLength": len(accessors.data)}],
     }
-    return glb_bytes(document, bytes(data))
+    return glb_bytes(document, bytes(accessors.data))
 
 
 def _write_usd(output: Path, body: Body, analysed: Analysed, settings: BakeSettings) -> None:

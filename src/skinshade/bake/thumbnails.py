@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._core.arrays import FloatArray, dot, unit_vectors
+from .._core.arrays import FloatArray, bounding_sphere, unit_vectors
 from ..params import SkinParams
 from ..profile import Profile
 from ..render.cpu.debug import THICKNESS_RANGE_MM, curvature_colour
@@ -45,9 +45,10 @@ def thumbnails(meshes: list[BakedMesh], profile: Profile) -> FloatArray:
         name: np.concatenate([each.analysed.attributes[name][:, 0] for each in meshes])
         for name in names
     }
-    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    reach = max(float(np.sqrt(dot(points - middle, points - middle).max())), 1e-9)
-    camera = Camera.orbit(middle, 6.0 * reach, yaw_deg=25.0, pitch_deg=8.0, vertical_fov_deg=20.0)
+    middle, reach = bounding_sphere(points)
+    camera = Camera.orbit(
+        middle, 6.0 * max(reach, 1e-9), yaw_deg=25.0, pitch_deg=8.0, vertical_fov_deg=20.0
+    )
     clip = (
         np.concatenate([points, np.ones((len(points), 1))], axis=1) @ camera.view_projection(1.0).T
     )

@@ -9,7 +9,7 @@ from typing import Any
 from .._core.errors import CompilerError
 from ..params import BLOCKS
 from ..params.fields import meaning
-from ..params.packing import float_count, kind_of
+from ..params.packing import TYPE_NAMES, float_count, kind_of
 from .compiler import Language, translate
 
 __all__ = [
@@ -51,9 +51,9 @@ STRUCTS = {
     "slang": C_LIKE,
     "hlsl": C_LIKE,
     "metal": C_LIKE,
-    "glsl": StructForm({"float4": "vec4", "float2": "vec2"}),
+    "glsl": StructForm(TYPE_NAMES["glsl"]),
     "wgsl": StructForm(
-        {"float4": "vec4<f32>", "float2": "vec2<f32>", "float": "f32"},
+        TYPE_NAMES["wgsl"],
         "    {name} : {kind}, // {about}",
     ),
 }
@@ -152,12 +152,11 @@ def _parts(kind: str) -> list[str]:
 
 
 def _reflected(source: str, language: Language) -> dict[str, dict[str, int]]:
-    found = {}
-    for block in BLOCKS:
-        for parameter in translate(source, language, entry=f"echo_{block}").reflection[
-            "parameters"
-        ]:
-            of = parameter["type"].get("elementType", {})
-            if of.get("name") == block:
-                found[block] = {each["name"]: each["binding"]["offset"] for each in of["fields"]}
-    return found
+    # Any kernel will do: every block of the source is told of, used or not.
+    told = translate(source, language, entry=f"echo_{next(iter(BLOCKS))}").reflection
+    types = [each["type"].get("elementType", {}) for each in told["parameters"]]
+    return {
+        of["name"]: {each["name"]: each["binding"]["offset"] for each in of["fields"]}
+        for of in types
+        if of.get("name") in BLOCKS
+    }

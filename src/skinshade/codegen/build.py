@@ -18,7 +18,7 @@ from .library import DIALECTS, library
 from .poisson import poisson_source
 from .signatures import signatures
 
-__all__ = ["GENERATED", "PAGE", "PASSES", "generate", "page", "write"]
+__all__ = ["GENERATED", "PAGE", "PASSES", "generate", "write"]
 
 GENERATED = LIBRARY.parent / "generated"
 PAGE = "functions.md"
@@ -48,19 +48,15 @@ def generate() -> dict[str, str]:
     return files
 
 
-def page() -> str:
-    """Return the page of all functions."""
-    return function_page({f"skin.{each.suffix}": library(each) for each in DIALECTS.values()})
-
-
 def write(folder: Path = GENERATED) -> list[str]:
     """Write what `generate` gives, and return the names of the files that changed."""
     folder.mkdir(exist_ok=True)
-    changed = []
     changed = [name for name, source in INCLUDED.items() if _written(folder / name, source())]
-    changed += [name for name, text in generate().items() if _written(folder / name, text)]
+    texts = generate()
+    changed += [name for name, text in texts.items() if _written(folder / name, text)]
     docs = GENERATED.parents[3] / "docs"
-    return changed + ([PAGE] if docs.is_dir() and _written(docs / PAGE, page()) else [])
+    new_page = docs.is_dir() and _written(docs / PAGE, function_page(texts))
+    return changed + ([PAGE] if new_page else [])
 
 
 def _written(path: Path, text: str) -> bool:

@@ -101,7 +101,7 @@ def _slangc() -> Path:
         program = Path(place) / "bin" / "slangc"
         if program.exists():
             return program
-    raise CompilerError("slangc is not installed; run `make dev`")
+    raise CompilerError("slangc is not installed; run `make shaders`")
 
 
 def _environment() -> dict[str, str]:

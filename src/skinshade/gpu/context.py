@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import fields
 from functools import cached_property
 from typing import Any, Protocol, Self
 
 import wgpu
 
 from .._core.errors import ShaderError
-from ..params import BLOCKS, ScatterParams, SkinParams
-from ..params.packing import layout
+from ..params import ScatterParams, SkinParams
+from ..params.packing import TYPE_NAMES, layout
 from .bindings import BindPoint, bind_points
 from .luts import HasLuts, LutTextures
 from .textures import buffer
@@ -20,10 +19,14 @@ from .textures import buffer
 __all__ = ["SkinContext"]
 
 BLOCK_NAMES = {"skin_block": "SkinBlock", "scatter_block": "ScatterBlock"}
-LUT_NAMES = ("ring", "sphere", "transfer", "shadow", "classic", "classic_shadow")
 SAMPLER = "lut_sampler"
-WGSL_TYPES = {"float4": "vec4<f32>", "float2": "vec2<f32>", "float": "f32"}
 SHORT_TYPES = {"vec4f": "vec4<f32>", "vec2f": "vec2<f32>"}
+
+
+def lut_names() -> tuple[str, ...]:
+    """Return the tables that ``ScatterBlock`` has axes for."""
+    fields = layout()["ScatterBlock"]["fields"]
+    return tuple(name.removesuffix("_axes") for name in fields if name.endswith("_axes"))
 
 
 class SkinSource(HasLuts, Protocol):
@@ -126,7 +129,7 @@ class SkinContext:
         self.device.queue.write_buffer(self.scatter_block, 0, self._scatter().pack())
 
     def _scatter(self) -> ScatterParams:
-        return self.skin.scatter_params(self._fetches, LUT_NAMES)
+        return self.skin.scatter_params(self._fetches, lut_names())
 
     @cached_property
     def skin_block(self) -> wgpu.GPUBuffer:
@@ -149,7 +152,7 @@ class SkinContext:
 
     @cached_property
     def _names(self) -> tuple[str, ...]:
-        return (*BLOCK_NAMES, *(f"{name}_lut" for name in LUT_NAMES), SAMPLER)
+        return (*BLOCK_NAMES, *(f"{name}_lut" for name in lut_names()), SAMPLER)
 
     def _resource(self, name: str) -> Any:
         if name in BLOCK_NAMES:
@@ -183,7 +186,7 @@ def _check_fields(where: str, block: str, kind: str, wgsl: str) -> None:
     ]
     described = layout()[block]["fields"]
     by_offset = sorted(described, key=lambda name: described[name]["offset"])
-    wanted = [(name, WGSL_TYPES[described[name]["kind"]]) for name in by_offset]
+    wanted = [(name, TYPE_NAMES["wgsl"][described[name]["kind"]]) for name in by_offset]
     for at, (want_name, want_type) in enumerate(wanted):
         name, of = declared[at] if at < len(declared) else ("nothing", "")
         if (name, of) != (want_name, want_type):
@@ -195,4 +198,3 @@ def _check_fields(where: str, block: str, kind: str, wgsl: str) -> None:
         raise ShaderError(
             f"{where}: {kind} has a field {declared[len(wanted)][0]} that {block} does not have"
         )
-    assert {each.name for each in fields(BLOCKS[block])} == set(described)

@@ -42,15 +42,13 @@ class Stopwatch:
         ends = {"beginning_of_pass_write_index": at, "end_of_pass_write_index": at + 1}
         return {"timestamp_writes": {"query_set": self._times, **ends}}
 
-    def resolve(self, encoder: wgpu.GPUCommandEncoder) -> None:
-        """Copy the times out, after the passes and before submission."""
-        if self._names:
-            encoder.resolve_query_set(self._times, 0, 2 * len(self._names), self._ticks, 0)
-
     def read_ms(self) -> dict[str, list[float]]:
-        """Return the times of all passes since the last reading, ms, by name, after submission."""
+        """Return the times of all passes since the last reading, ms, by name; waits for them."""
         if not self._names:
             return {}
+        encoder = self.device.create_command_encoder()
+        encoder.resolve_query_set(self._times, 0, 2 * len(self._names), self._ticks, 0)
+        self.device.queue.submit([encoder.finish()])
         ticks = np.frombuffer(self.device.queue.read_buffer(self._ticks), dtype=np.uint64)
         found: dict[str, list[float]] = {}
         for name, begin, end in zip(self._names, ticks[0::2], ticks[1::2], strict=False):

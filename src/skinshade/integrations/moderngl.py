@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from .._core.errors import DependencyError, ShaderError
 from ..params import SkinParams
 from ..params.packing import layout
 from ..sdk.languages import LANGUAGES
+from ..shaders import generated_text
 from ..shading.skin import LUTS, Skin
 
 try:
@@ -47,8 +47,7 @@ def shader_source(text: str) -> str:
     if version is None:
         raise ShaderError("the shader does not begin with #version, which must come first")
     form = LANGUAGES["glsl-es" if " es" in version.group() else "glsl-gl"]
-    generated = files("skinshade.shaders").joinpath("generated")
-    parts = [generated.joinpath(name).read_text("utf-8") for name in (form.library, form.structs)]
+    parts = [generated_text(name) for name in (form.library, form.structs)]
     declared = "\n".join(form.declared())
     line = version.group().count("\n") + 1
     rest = text[version.end() :]

@@ -12,15 +12,14 @@ import numpy as np
 from .._core.arrays import FloatArray
 from .._core.errors import MeshFileError, SkinshadeError, UnitError, UnitWarning
 from .._core.files import existing_file
-from .._core.units import checked_unit_mm
+from .._core.units import GLTF_UNIT_MM, checked_unit_mm
 from .baked import BAKED_NAMES, baked_attributes, baked_unit_mm
 from .model import Mesh
 
-__all__ = ["load_mesh"]
+__all__ = ["GLTF_SUFFIXES", "SUFFIXES", "load_mesh"]
 
-SUFFIXES = (".glb", ".gltf", ".obj", ".ply", ".stl")
-GLTF_UNIT_MM = 1000.0
-"""glTF 2.0 prescribes metres."""
+GLTF_SUFFIXES = (".glb", ".gltf")
+SUFFIXES = (*GLTF_SUFFIXES, ".obj", ".ply", ".stl")
 SAME_UNIT = 1e-4
 """Relative; node scales are single precision."""
 PLAUSIBLE_MM = (20.0, 3000.0)
@@ -61,7 +60,7 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         raise MeshFileError(
             f"{file}: {suffix or 'no suffix'}; a mesh is one of {' '.join(SUFFIXES)}"
         )
-    stated = suffix in (".glb", ".gltf")
+    stated = suffix in GLTF_SUFFIXES
     if unit_mm is None and not stated:
         raise UnitError(
             f"{file}: {suffix} files do not say their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
@@ -97,7 +96,7 @@ def _warn_of_size(mesh: Mesh, file: Path) -> None:
     diagonal = float(np.linalg.norm(np.ptp(mesh.positions_mm, axis=0)))
     if not PLAUSIBLE_MM[0] <= diagonal <= PLAUSIBLE_MM[1]:
         warnings.warn(
-            f"{file}: in metres, as glTF prescribes, it is {diagonal / 1000.0:.3g} m across; "
+            f"{file}: in metres, as glTF prescribes, it is {diagonal / GLTF_UNIT_MM:.3g} m across; "
             "give unit_mm if another unit was meant",
             UnitWarning,
             stacklevel=3,

@@ -5,15 +5,27 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
 
-__all__ = ["float_count", "kind_of", "layout", "pack"]
+from ..shaders import generated_text
+
+__all__ = ["TYPE_NAMES", "float_count", "kind_of", "layout", "pack"]
 
 KINDS = {1: "float", 2: "float2", 3: "float4", 4: "float4"}
 """Three numbers take the room of four: a float3 stands elsewhere in every language."""
+TYPE_NAMES = {
+    "glsl": {"float2": "vec2", "float3": "vec3", "float4": "vec4", "float3x3": "mat3"},
+    "wgsl": {
+        "float": "f32",
+        "float2": "vec2<f32>",
+        "float3": "vec3<f32>",
+        "float4": "vec4<f32>",
+        "float3x3": "mat3x3<f32>",
+    },
+}
+"""What languages call types where it is another name."""
 
 
 def kind_of(value: Any) -> str:
@@ -33,8 +45,7 @@ def float_count(kind: str) -> int:
 @cache
 def layout() -> dict[str, Any]:
     """Return the layout of every block: size, and kind and offset of each field, bytes."""
-    text = files("skinshade.shaders").joinpath("generated/layout.json").read_text(encoding="utf-8")
-    result: dict[str, Any] = json.loads(text)["blocks"]
+    result: dict[str, Any] = json.loads(generated_text("layout.json"))["blocks"]
     return result
 
 

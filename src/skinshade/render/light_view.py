@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._core.arrays import FloatArray, dot
+from .._core.arrays import FloatArray, bounding_sphere
 from ..mesh import Mesh
 from ..scene import Light
 
@@ -42,9 +42,7 @@ class LightView:
     @classmethod
     def of(cls, light: Light, mesh: Mesh) -> LightView:
         """Return a view that holds the whole mesh, or the whole of a lamp's cone."""
-        points = mesh.positions_mm
-        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-        reach = float(np.sqrt(dot(points - middle, points - middle).max()))
+        middle, reach = bounding_sphere(mesh.positions_mm)
         return cls(*light.view_and_projection(middle, reach), middle, reach)
 
     @property

@@ -15,9 +15,10 @@ from .._core.progress import Progress, silent
 from .._core.version import __version__
 from ..params import SkinParams
 from ..profile import Profile
-from ..shading.skin import Skin
+from ..shaders import generated_text
+from ..shading.skin import ENGINE_LUTS, Skin
 from .guide import guide
-from .languages import LANGUAGES, LUTS, ShadingLanguage
+from .languages import LANGUAGES, ShadingLanguage
 
 __all__ = ["LANGUAGES", "export_shaders"]
 
@@ -69,17 +70,17 @@ def export_shaders(
     except OSError as error:
         raise OutputError(f"{place}: cannot make the folder ({error.strerror})") from None
     texts = _library(form) | {
-        f"blocks.{form.suffix}": _generated(form.structs),
-        "skinshade.h": _generated("skinshade.h"),
+        f"blocks.{form.suffix}": generated_text(form.structs),
+        "skinshade.h": generated_text("skinshade.h"),
         "skin.json": _numbers(skin, language),
         "README.md": guide(language, form, skin),
     }
     written = [_written(place / name, text.encode()) for name, text in texts.items()]
-    scatter = skin.scatter_params(luts=LUTS)
+    scatter = skin.scatter_params()
     written.append(_written(place / "skin_block.bin", skin.params.pack()))
     written.append(_written(place / "scatter_block.bin", scatter.pack()))
-    for at, name in enumerate(LUTS):
-        progress("tables", at / len(LUTS))
+    for at, name in enumerate(ENGINE_LUTS):
+        progress("tables", at / len(ENGINE_LUTS))
         for suffix in (".exr", ".png"):
             path = place / f"{name}_lut{suffix}"
             skin.lut(name).save(path)
@@ -91,7 +92,7 @@ def export_shaders(
 def _library(form: ShadingLanguage) -> dict[str, str]:
     """The functions: one generated file, or the commented source, whose includes become flat."""
     if form.library:
-        return {f"skin.{form.suffix}": form.prologue + _generated(form.library)}
+        return {f"skin.{form.suffix}": form.prologue + generated_text(form.library)}
     sources = [each for each in SHADERS.joinpath("skin").iterdir() if each.name.endswith(".slang")]
     sources.append(SHADERS.joinpath("generated/poisson.slang"))
     flat = {}
@@ -101,10 +102,6 @@ def _library(form: ShadingLanguage) -> dict[str, str]:
     return flat
 
 
-def _generated(name: str) -> str:
-    return SHADERS.joinpath(f"generated/{name}").read_text(encoding="utf-8")
-
-
 def _numbers(skin: Skin, language: str) -> str:
     """What the binary blocks and the tables were made of, to be read by a person or a tool."""
     content = {
@@ -112,8 +109,8 @@ def _numbers(skin: Skin, language: str) -> str:
         "language": language,
         "profile": skin.profile.name,
         "skin_block": asdict(skin.params),
-        "scatter_block": asdict(skin.scatter_params(luts=LUTS)),
-        "luts": {f"{name}_lut": skin.lut(name).description() for name in LUTS},
+        "scatter_block": asdict(skin.scatter_params()),
+        "luts": {f"{name}_lut": skin.lut(name).description() for name in ENGINE_LUTS},
     }
     return json.dumps(content, indent=1) + "\n"
 

@@ -6,9 +6,9 @@ from functools import cache
 from importlib.resources import files
 
 from .._core.version import __version__
-from ..shading.skin import Skin
+from ..shading.skin import ENGINE_LUTS, Skin
 from .example import example_calls, example_inputs
-from .languages import LUTS, ShadingLanguage
+from .languages import ShadingLanguage
 
 __all__ = ["guide"]
 
@@ -43,7 +43,7 @@ def guide(language: str, form: ShadingLanguage, skin: Skin) -> str:
         checked=form.checked,
         files=library,
         suffix=form.suffix,
-        luts="_lut.exr`, `".join(LUTS),
+        luts="_lut.exr`, `".join(ENGINE_LUTS),
         profile=skin.profile.name,
         fence=FENCES.get(form.suffix, form.suffix),
         declared="\n".join(declared),

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-__all__ = ["LANGUAGES", "ShadingLanguage"]
+from ..params.packing import TYPE_NAMES
+from ..shading.skin import ENGINE_LUTS
 
-LUTS = ("ring", "sphere", "transfer", "shadow")
+__all__ = ["LANGUAGES", "ShadingLanguage"]
 
 
 @dataclass(frozen=True)
@@ -67,9 +68,12 @@ class ShadingLanguage:
             ]
             lines += [
                 f"@group(1) @binding({2 + i}) var {name}_lut : texture_2d<f32>;"
-                for i, name in enumerate(LUTS)
+                for i, name in enumerate(ENGINE_LUTS)
             ]
-            return [*lines, f"@group(1) @binding({2 + len(LUTS)}) var lut_sampler : sampler;"]
+            return [
+                *lines,
+                f"@group(1) @binding({2 + len(ENGINE_LUTS)}) var lut_sampler : sampler;",
+            ]
         if self.suffix == "glsl":
             return self._declared_in_glsl()
         if self.suffix == "metal":
@@ -78,7 +82,7 @@ class ShadingLanguage:
             "cbuffer SkinUniforms { SkinBlock skin_block; };",
             "cbuffer ScatterUniforms { ScatterBlock scatter_block; };",
         ]
-        lines += [f"Texture2D<float4> {name}_lut;" for name in LUTS]
+        lines += [f"Texture2D<float4> {name}_lut;" for name in ENGINE_LUTS]
         return [*lines, "SamplerState lut_sampler;"]
 
     def _declared_in_glsl(self) -> list[str]:
@@ -88,26 +92,21 @@ class ShadingLanguage:
         )
         if self.combined:
             lines = [f"layout(std140) uniform {name} {{ {what}; }};" for name, what in blocks]
-            return lines + [f"uniform sampler2D {name}_lut;" for name in LUTS]
+            return lines + [f"uniform sampler2D {name}_lut;" for name in ENGINE_LUTS]
         lines = [
             f"layout(std140, set = 1, binding = {i}) uniform {name} {{ {what}; }};"
             for i, (name, what) in enumerate(blocks)
         ]
         lines += [
             f"layout(set = 1, binding = {2 + i}) uniform texture2D {name}_lut;"
-            for i, name in enumerate(LUTS)
+            for i, name in enumerate(ENGINE_LUTS)
         ]
-        return [*lines, f"layout(set = 1, binding = {2 + len(LUTS)}) uniform sampler lut_sampler;"]
+        return [
+            *lines,
+            f"layout(set = 1, binding = {2 + len(ENGINE_LUTS)}) uniform sampler lut_sampler;",
+        ]
 
 
-GLSL_TYPES = {"float2": "vec2", "float3": "vec3", "float4": "vec4", "float3x3": "mat3"}
-WGSL_TYPES = {
-    "float": "f32",
-    "float2": "vec2<f32>",
-    "float3": "vec3<f32>",
-    "float4": "vec4<f32>",
-    "float3x3": "mat3x3<f32>",
-}
 HIGHEST = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
 """OpenGL ES reads float textures at low precision unless told otherwise."""
 
@@ -127,7 +126,7 @@ LANGUAGES = {
         "skin.vulkan.glsl",
         "glsl",
         "blocks.glsl",
-        GLSL_TYPES,
+        TYPE_NAMES["glsl"],
         checked="executed through glslang and SPIR-V",
     ),
     "glsl-gl": ShadingLanguage(
@@ -135,7 +134,7 @@ LANGUAGES = {
         "skin.gl.glsl",
         "glsl",
         "blocks.glsl",
-        GLSL_TYPES,
+        TYPE_NAMES["glsl"],
         combined=True,
         checked="executed on OpenGL 3.3 and 4.3",
     ),
@@ -144,7 +143,7 @@ LANGUAGES = {
         "skin.gl.glsl",
         "glsl",
         "blocks.glsl",
-        GLSL_TYPES,
+        TYPE_NAMES["glsl"],
         combined=True,
         prologue=HIGHEST,
         checked="executed in Chromium's WebGL 2",
@@ -154,7 +153,7 @@ LANGUAGES = {
         "skin.wgsl",
         "wgsl",
         "blocks.wgsl",
-        WGSL_TYPES,
+        TYPE_NAMES["wgsl"],
         checked="executed by naga (wgpu) and Tint (Chromium)",
     ),
     "metal": ShadingLanguage(

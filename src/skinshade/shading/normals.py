@@ -6,12 +6,20 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.optimize import nnls
 
 from .._core.arrays import FloatArray
 from ..profile import Profile
 
-__all__ = ["NormalBlend", "add_mesh_diffusion", "blend_normals", "blur_level", "normal_blend"]
+__all__ = [
+    "NormalBlend",
+    "add_mesh_diffusion",
+    "blend_normals",
+    "blur_level",
+    "map_level",
+    "normal_blend",
+]
 
 BUMP_PERIODS_MM = (0.4, 5.0)
 """From a pore to a wrinkle: the periods of relief over which the weights are fitted."""
@@ -68,6 +76,27 @@ def normal_blend(profile: Profile, *, fetches: int = 3) -> NormalBlend:
             for wide in candidates[i + 4 :: 2]
         ]
     return min(fits, key=lambda fit: fit[0])[1]
+
+
+def map_level(map_extent: ArrayLike, uv_along_x: FloatArray, uv_along_y: FloatArray) -> FloatArray:
+    """Return the mip level that the footprint of a pixel asks for, ≥ 0.
+
+    The shorter axis of the footprint, but an eighth of the longer one at least: what 8-fold anisotropic
+    filtering takes. Supersampling averages along the longer axis.
+
+    Parameters
+    ----------
+    map_extent
+        (..., 2) width and height of the map, texels.
+    uv_along_x, uv_along_y
+        (..., 2) changes of UV to the next pixel.
+    """
+    x = np.square(uv_along_x * np.asarray(map_extent, dtype=np.float64)).sum(axis=-1)
+    y = np.square(uv_along_y * np.asarray(map_extent, dtype=np.float64)).sum(axis=-1)
+    longer, shorter = np.maximum(x, y), np.minimum(x, y)
+    level = 0.5 * np.log2(np.maximum(np.maximum(shorter, longer / 64.0), 1e-30))
+    result: FloatArray = np.maximum(level, 0.0)
+    return result
 
 
 def blur_level(

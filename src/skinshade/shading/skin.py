@@ -18,7 +18,7 @@ from ..profile import Profile
 from . import deep_scatter, normals, shadow
 from .normals import NormalBlend
 
-__all__ = ["LUTS", "Skin"]
+__all__ = ["ENGINE_LUTS", "LUTS", "Skin"]
 
 TABLE_RADIUS_MM = (0.5, 4000.0)
 """Radii of curvature that the tables hold: from a lash line to what is flat for any profile."""
@@ -36,6 +36,8 @@ LUTS = {
     "classic_shadow": "classic_shadow",
 }
 """Tables by their names in shaders, where each is ``<name>_lut`` with ``<name>_axes``."""
+ENGINE_LUTS = ("ring", "sphere", "transfer", "shadow")
+"""Those that are not for comparison with 2014."""
 
 
 @dataclass(frozen=True)
@@ -92,9 +94,7 @@ class Skin:
         found: Lut = getattr(self, LUTS[name])
         return found
 
-    def scatter_params(
-        self, fetches: int = 3, luts: Sequence[str] = ("ring", "sphere", "transfer", "shadow")
-    ) -> ScatterParams:
+    def scatter_params(self, fetches: int = 3, luts: Sequence[str] = ENGINE_LUTS) -> ScatterParams:
         """Return what shaders take of the profile and of its tables.
 
         Parameters

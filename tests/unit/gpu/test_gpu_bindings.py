@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
-
 import pytest
 
 from skinshade._core.errors import ArgumentError
 from skinshade.codegen.build import PASSES
 from skinshade.gpu.bindings import BindPoint, bind_points, override_ids
+from skinshade.shaders import generated_text
 
 PROGRAM = """
 @group(1) @binding(3) var<uniform> block : Block;
@@ -40,12 +39,12 @@ def test_a_program_without_globals_is_an_error():
 
 @pytest.mark.parametrize("name", PASSES)
 def test_no_two_globals_of_a_pass_share_a_place(name):
-    text = files("skinshade.shaders").joinpath(f"generated/{name}.wgsl").read_text("utf-8")
+    text = generated_text(f"{name}.wgsl")
     found = bind_points(text)
     places = [(point.group, point.binding) for point in found.values()]
     assert len(set(places)) == len(places) == text.count("@binding(")
 
 
 def test_the_globals_of_the_skin_pass_have_the_names_of_its_source():
-    text = files("skinshade.shaders").joinpath("generated/skin_pass.wgsl").read_text("utf-8")
+    text = generated_text("skin_pass.wgsl")
     assert {"skin_block", "scatter_block", "albedo_map", "depths"} <= set(bind_points(text))

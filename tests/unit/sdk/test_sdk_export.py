@@ -17,8 +17,7 @@ from skinshade.params import SkinParams
 from skinshade.profile import Profile
 from skinshade.sdk import LANGUAGES, export_shaders
 from skinshade.sdk.example import INPUTS, example_calls
-from skinshade.sdk.languages import LUTS
-from skinshade.shading.skin import Skin
+from skinshade.shading.skin import ENGINE_LUTS, Skin
 
 PARAMS = SkinParams(scatter_scale=1.5, shadow_filter_width_mm=12.0, gloss=0.2)
 
@@ -132,7 +131,7 @@ def test_blocks_and_tables_are_those_of_the_material(packages):
     skin = Skin.of(Profile.preset("skin-deon2007"), PARAMS)
     assert (folder / "skin_block.bin").read_bytes() == PARAMS.pack()
     assert (folder / "scatter_block.bin").read_bytes() == skin.scatter_params().pack()
-    for name in LUTS:
+    for name in ENGINE_LUTS:
         exact, eight = (Lut.load(folder / f"{name}_lut{kind}") for kind in (".exr", ".png"))
         assert np.array_equal(exact.values, skin.lut(name).values)
         assert exact.axes == skin.lut(name).axes

@@ -53,12 +53,7 @@ $$ if use_normal_map is defined
 // Sharp, narrow and wide blur, none of them made of unit length.
 fn skinshade_fetch(uv: vec2<f32>, frame: mat3x3<f32>) -> mat3x3<f32> {
     let size = vec2<f32>(textureDimensions(t_normal_map));
-    let along_x = dpdx(uv) * size;
-    let along_y = dpdy(uv) * size;
-    let x = dot(along_x, along_x);
-    let y = dot(along_y, along_y);
-    // The shorter axis of the footprint, but an eighth of the longer one at least.
-    let level = max(0.5 * log2(max(max(min(x, y), max(x, y) / 64.0), 1e-30)), 0.0);
+    let level = skin_map_level(size, dpdx(uv), dpdy(uv));
     let longer = max(size.x, size.y);
     let uv_scale_mm = {{ skin_uv_scale_mm }} * skinshade_scale();
     let blurs = u_scatter.normal_sigmas_mm;

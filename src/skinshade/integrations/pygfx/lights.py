@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pygfx
 from numpy.typing import ArrayLike
 
-from ..._core.arrays import FloatArray, as_floats
+from ..._core.arrays import FloatArray, as_floats, bounding_sphere
 from ..._core.errors import ArgumentError
 from ...mesh import Mesh
 from ...scene import DirectionalLight, Light
@@ -93,8 +92,7 @@ def _sphere(mesh_or_bounds: Mesh | ArrayLike) -> tuple[FloatArray, float]:
             raise ArgumentError(
                 f"bounds are {points[0]} and {points[1]} mm; give the least coordinates, then the greatest"
             )
-    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    return middle, float(np.sqrt(np.square(points - middle).sum(axis=1).max()))
+    return bounding_sphere(points)
 
 
 def _colour(irradiance: FloatArray) -> tuple[pygfx.Color, float]:

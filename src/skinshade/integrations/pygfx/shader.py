@@ -28,6 +28,7 @@ from ...render.cpu.shadow_map import (
     TERMINATOR_REACH_MM,
     hemisphere_disk,
 )
+from ...shaders import generated_text
 from ...shading.ambient import sh_basis
 from .geometry import NUMBERS
 
@@ -63,7 +64,7 @@ CONSTANTS: dict[str, Any] = {
 
 def _source(name: str) -> str:
     if name == "skin.wgsl":
-        return files("skinshade.shaders").joinpath("generated", name).read_text(encoding="utf-8")
+        return generated_text(name)
     return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import gaussian_filter, map_coordinates
 
-from ..._core.arrays import FloatArray, dot
+from ..._core.arrays import FloatArray, bounding_sphere, dot
 from ..._core.progress import Progress, silent
 from ...mesh import Mesh, mesh_curvature
 from ...mesh.topology import corner_areas
@@ -69,8 +69,8 @@ def sky_light(
 ) -> SkyLight:
     """Gather `SkyLight` from depth maps in `DIRECTIONS` directions."""
     points, normals = mesh.positions_mm, mesh.normals
-    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    radius = 1.05 * float(np.sqrt(dot(points - centre, points - centre).max()))
+    centre, reach = bounding_sphere(points)
+    radius = 1.05 * reach
     directions = _spread(DIRECTIONS)
     radiance = environment.preconvolved.sample(directions, np.full(DIRECTIONS, LOBE_POWER))
     total = np.zeros((points.shape[0], 11))

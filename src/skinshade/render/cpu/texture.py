@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._core.arrays import FloatArray, ImageArray
+from ...shading.normals import map_level
 
 __all__ = ["Texture", "build_texture"]
 
@@ -37,12 +38,7 @@ class Texture:
 
     def level(self, along_x: FloatArray, along_y: FloatArray) -> FloatArray:
         """Return the mip level (N,) for changes of UV (N, 2) per pixel, ≥ 0."""
-        extent = np.array([self.widths[0], self.heights[0]], dtype=np.float64)
-        x, y = np.square(along_x * extent).sum(axis=1), np.square(along_y * extent).sum(axis=1)
-        # The shorter axis of the footprint, with an eighth of the longer one at least: what 8-fold
-        # anisotropic filtering would take; supersampling averages along the longer axis.
-        long, short = np.maximum(x, y), np.minimum(x, y)
-        return np.maximum(0.5 * np.log2(np.maximum(np.maximum(short, long / 64.0), 1e-30)), 0.0)
+        return map_level((self.widths[0], self.heights[0]), along_x, along_y)
 
     def sample(self, uv: FloatArray, level: FloatArray) -> FloatArray:
         """Return (N, C), trilinear, at texture coordinates (N, 2) and levels (N,)."""

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
-
 import wgpu
 
 from ...gpu.program import Program
+from ...shaders import generated_text
 
 __all__ = ["open_program"]
 
@@ -21,5 +20,4 @@ UNFILTERED = {
 
 def open_program(device: wgpu.GPUDevice, name: str) -> Program:
     """Return one of ``shaders/passes`` on a device."""
-    place = files("skinshade.shaders").joinpath(f"generated/{name}.wgsl")
-    return Program(device, place.read_text(encoding="utf-8"), unfiltered=UNFILTERED[name])
+    return Program(device, generated_text(f"{name}.wgsl"), unfiltered=UNFILTERED[name])

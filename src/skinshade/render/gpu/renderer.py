@@ -160,12 +160,16 @@ class GpuRenderer(Renderer):
             self._sample(way, MULTISAMPLES if multisampled else 1)
             if len(offsets) > 1:
                 light = self._sum(index)
+                self._keep_time()  # so that no more is under way than one sample
         self._progress("shading", 1.0)
         linear = tone == "linear"
         target, kind = (targets.linear, LIGHT) if linear else (targets.shown, SHOWN)
         environment = self.scene.environment
         behind = int(environment is not None and environment.visible)
-        self._submit_present(light, target, kind, tone, behind)
+        encoder = self.device.create_command_encoder()
+        self._present_pass(encoder, light, light, target, kind, tone, behind)
+        self.device.queue.submit([encoder.finish()])
+        self._keep_time()
 
     def _sample(self, way: RenderSettings, samples: int) -> None:
         """Draw depth, then skin where it is seen."""
@@ -197,7 +201,7 @@ class GpuRenderer(Renderer):
         )
         kind = RESOLVED if samples > 1 else LIGHT
         self._draw_body(work, self._skin.pipeline(way, kind, samples), group)
-        self._submit(encoder)
+        self.device.queue.submit([encoder.finish()])
 
     def _draw_body(
         self,
@@ -220,25 +224,13 @@ class GpuRenderer(Renderer):
         if index == 0:  # the sum of none
             self._cleared(encoder, before)
         self._present_pass(encoder, targets.sample, before, after, LIGHT, "sum", 0)
-        self._submit(encoder)
+        self.device.queue.submit([encoder.finish()])
         return after
 
     @staticmethod
     def _cleared(encoder: wgpu.GPUCommandEncoder, target: wgpu.GPUTexture) -> None:
         colour = {"view": target.create_view(), "load_op": "clear", "store_op": "store"}
         encoder.begin_render_pass(color_attachments=[colour]).end()
-
-    def _submit_present(
-        self,
-        light: wgpu.GPUTexture,
-        target: wgpu.GPUTexture,
-        kind: str,
-        tone: str,
-        behind: int,
-    ) -> None:
-        encoder = self.device.create_command_encoder()
-        self._present_pass(encoder, light, light, target, kind, tone, behind)
-        self._submit(encoder)
 
     def _present_pass(
         self,
@@ -272,9 +264,7 @@ class GpuRenderer(Renderer):
             )
         return self._groups[key]
 
-    def _submit(self, encoder: wgpu.GPUCommandEncoder) -> None:
-        self._stopwatch.resolve(encoder)
-        self.device.queue.submit([encoder.finish()])
+    def _keep_time(self) -> None:
         for name, times in self._stopwatch.read_ms().items():
             self._timings_ms.setdefault(name, []).extend(times)
 

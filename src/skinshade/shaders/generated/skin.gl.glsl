@@ -16,6 +16,15 @@ vec2 skin_saturate_2(vec2 x)
     return clamp(x, vec2(0.0), vec2(1.0));
 }
 
+float skin_map_level(vec2 map_extent, vec2 uv_along_x, vec2 uv_along_y)
+{
+    vec2 to_right_0 = uv_along_x * map_extent;
+    vec2 upward_0 = uv_along_y * map_extent;
+    float x_3 = dot(to_right_0, to_right_0);
+    float y_0 = dot(upward_0, upward_0);
+    return max(0.5 * log2(max(max(min(x_3, y_0), max(x_3, y_0) / 64.0), 1.00000000317107685e-30)), 0.0);
+}
+
 float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float hardware_level)
 {
     return max(hardware_level, log2(max(2.0 * sigma_mm * map_size / uv_scale_mm, 1.0)));
@@ -330,16 +339,16 @@ vec2 skin_equirectangular_uv(vec3 direction)
     float _S14 = direction.x;
     float _S15 = direction.z;
     float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
-    float x_3;
+    float x_4;
     if(level_0 > 0.0)
     {
-        x_3 = _S14;
+        x_4 = _S14;
     }
     else
     {
-        x_3 = 1.0;
+        x_4 = 1.0;
     }
-    return vec2(0.5 + (atan((_S15),(x_3))) / 6.28318548202514648, (atan((level_0),(direction.y))) / 3.14159274101257324);
+    return vec2(0.5 + (atan((_S15),(x_4))) / 6.28318548202514648, (atan((level_0),(direction.y))) / 3.14159274101257324);
 }
 
 float skin_reflection_level(float power)
@@ -365,9 +374,9 @@ vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss
 
 vec3 skin_filmic(vec3 light)
 {
-    vec3 x_4 = max(light - 0.00400000018998981, vec3(0.0));
-    vec3 _S18 = 6.19999980926513672 * x_4;
-    return x_4 * (_S18 + 0.5) / (x_4 * (_S18 + 1.70000004768371582) + 0.05999999865889549);
+    vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
+    vec3 _S18 = 6.19999980926513672 * x_5;
+    return x_5 * (_S18 + 0.5) / (x_5 * (_S18 + 1.70000004768371582) + 0.05999999865889549);
 }
 
 float skin_srgb_curve(float x)
@@ -386,8 +395,8 @@ float skin_srgb_curve(float x)
 
 vec3 skin_srgb_from_linear(vec3 light)
 {
-    vec3 x_6 = skin_saturate_0(light);
-    return vec3(skin_srgb_curve(x_6.x), skin_srgb_curve(x_6.y), skin_srgb_curve(x_6.z));
+    vec3 x_7 = skin_saturate_0(light);
+    return vec3(skin_srgb_curve(x_7.x), skin_srgb_curve(x_7.y), skin_srgb_curve(x_7.z));
 }
 
 float skin_linear_curve(float x)
@@ -406,8 +415,8 @@ float skin_linear_curve(float x)
 
 vec3 skin_linear_from_srgb(vec3 display)
 {
-    vec3 x_8 = skin_saturate_0(display);
-    return vec3(skin_linear_curve(x_8.x), skin_linear_curve(x_8.y), skin_linear_curve(x_8.z));
+    vec3 x_9 = skin_saturate_0(display);
+    return vec3(skin_linear_curve(x_9.x), skin_linear_curve(x_9.y), skin_linear_curve(x_9.z));
 }
 
 float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size, float hardware_level)

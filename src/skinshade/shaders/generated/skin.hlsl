@@ -2,6 +2,15 @@
 static const float2  SKIN_POISSON_32[int(32)] = { float2(-0.02096010930836201f, 0.01299272011965513f), float2(0.69517123699188232f, -0.04910685122013092f), float2(0.28034570813179016f, 0.66283899545669556f), float2(0.03107489086687565f, -0.69704329967498779f), float2(-0.49904009699821472f, 0.54098159074783325f), float2(-0.70408397912979126f, -0.14709833264350891f), float2(0.53451526165008545f, -0.56702268123626709f), float2(-0.48678380250930786f, -0.61486828327178955f), float2(0.68837428092956543f, 0.41418349742889404f), float2(-0.14107078313827515f, 0.8102262020111084f), float2(0.21897397935390472f, -0.3123532235622406f), float2(0.31406453251838684f, 0.24951401352882385f), float2(-0.83115619421005249f, 0.28457203507423401f), float2(-0.40699386596679688f, 0.14198443293571472f), float2(-0.10747358947992325f, 0.41360348463058472f), float2(-0.19334819912910461f, -0.34689420461654663f), float2(0.80768358707427979f, -0.37000563740730286f), float2(0.33436411619186401f, -0.82407790422439575f), float2(-0.79105347394943237f, -0.45378401875495911f), float2(-0.23485180735588074f, -0.86940687894821167f), float2(0.37255629897117615f, -0.05855973064899445f), float2(0.5726354718208313f, 0.72984015941619873f), float2(0.8966706395149231f, 0.17047682404518127f), float2(-0.43273070454597473f, 0.81860679388046265f), float2(0.1212853416800499f, 0.92984902858734131f), float2(-0.42749753594398499f, -0.15111121535301208f), float2(-0.94129812717437744f, 0.00735718011856079f), float2(0.52211439609527588f, -0.28702935576438904f), float2(-0.79033631086349487f, 0.5402228832244873f), float2(-0.23410981893539429f, -0.59940856695175171f), float2(0.28244560956954956f, -0.563071608543396f), float2(0.57051312923431396f, 0.18359191715717316f) };
 static const float2  SKIN_POISSON_8[int(8)] = { float2(-0.16089901328086853f, -0.04573699831962585f), float2(-0.89243310689926147f, 0.18877510726451874f), float2(-0.17830690741539001f, 0.7200586199760437f), float2(-0.53433239459991455f, -0.70478206872940063f), float2(0.22474820911884308f, -0.69165337085723877f), float2(0.5559992790222168f, 0.1985180526971817f), float2(0.64686292409896851f, -0.3364911675453186f), float2(0.33836102485656738f, 0.67131179571151733f) };
 
+float skin_map_level(float2 map_extent, float2 uv_along_x, float2 uv_along_y)
+{
+    float2 to_right_0 = uv_along_x * map_extent;
+    float2 upward_0 = uv_along_y * map_extent;
+    float x_0 = dot(to_right_0, to_right_0);
+    float y_0 = dot(upward_0, upward_0);
+    return max(0.5f * log2(max(max(min(x_0, y_0), max(x_0, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
+}
+
 float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float hardware_level)
 {
     return max(hardware_level, log2(max(2.0f * sigma_mm * map_size / uv_scale_mm, 1.0f)));
@@ -316,16 +325,16 @@ float2 skin_equirectangular_uv(float3 direction)
     float _S14 = direction.x;
     float _S15 = direction.z;
     float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
-    float x_0;
+    float x_1;
     if(level_0 > 0.0f)
     {
-        x_0 = _S14;
+        x_1 = _S14;
     }
     else
     {
-        x_0 = 1.0f;
+        x_1 = 1.0f;
     }
-    return float2(0.5f + atan2(_S15, x_0) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
+    return float2(0.5f + atan2(_S15, x_1) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
 }
 
 float skin_reflection_level(float power)
@@ -351,9 +360,9 @@ float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState pre
 
 float3 skin_filmic(float3 light)
 {
-    float3 x_1 = max(light - 0.00400000018998981f, (float3)0.0f);
-    float3 _S18 = 6.19999980926513672f * x_1;
-    return x_1 * (_S18 + 0.5f) / (x_1 * (_S18 + 1.70000004768371582f) + 0.05999999865889549f);
+    float3 x_2 = max(light - 0.00400000018998981f, (float3)0.0f);
+    float3 _S18 = 6.19999980926513672f * x_2;
+    return x_2 * (_S18 + 0.5f) / (x_2 * (_S18 + 1.70000004768371582f) + 0.05999999865889549f);
 }
 
 float skin_srgb_curve(float x)
@@ -372,8 +381,8 @@ float skin_srgb_curve(float x)
 
 float3 skin_srgb_from_linear(float3 light)
 {
-    float3 x_3 = saturate(light);
-    return float3(skin_srgb_curve(x_3.x), skin_srgb_curve(x_3.y), skin_srgb_curve(x_3.z));
+    float3 x_4 = saturate(light);
+    return float3(skin_srgb_curve(x_4.x), skin_srgb_curve(x_4.y), skin_srgb_curve(x_4.z));
 }
 
 float skin_linear_curve(float x)
@@ -392,8 +401,8 @@ float skin_linear_curve(float x)
 
 float3 skin_linear_from_srgb(float3 display)
 {
-    float3 x_5 = saturate(display);
-    return float3(skin_linear_curve(x_5.x), skin_linear_curve(x_5.y), skin_linear_curve(x_5.z));
+    float3 x_6 = saturate(display);
+    return float3(skin_linear_curve(x_6.x), skin_linear_curve(x_6.y), skin_linear_curve(x_6.z));
 }
 
 float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size, float hardware_level)

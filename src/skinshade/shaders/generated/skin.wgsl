@@ -7,6 +7,15 @@ fn skin_rsqrt_0(x : f32) -> f32
 var<private> SKIN_POISSON_32 : array<vec2<f32>, i32(32)> = array<vec2<f32>, i32(32)>( vec2<f32>(-0.02096010930836201f, 0.01299272011965513f), vec2<f32>(0.69517123699188232f, -0.04910685122013092f), vec2<f32>(0.28034570813179016f, 0.66283899545669556f), vec2<f32>(0.03107489086687565f, -0.69704329967498779f), vec2<f32>(-0.49904009699821472f, 0.54098159074783325f), vec2<f32>(-0.70408397912979126f, -0.14709833264350891f), vec2<f32>(0.53451526165008545f, -0.56702268123626709f), vec2<f32>(-0.48678380250930786f, -0.61486828327178955f), vec2<f32>(0.68837428092956543f, 0.41418349742889404f), vec2<f32>(-0.14107078313827515f, 0.8102262020111084f), vec2<f32>(0.21897397935390472f, -0.3123532235622406f), vec2<f32>(0.31406453251838684f, 0.24951401352882385f), vec2<f32>(-0.83115619421005249f, 0.28457203507423401f), vec2<f32>(-0.40699386596679688f, 0.14198443293571472f), vec2<f32>(-0.10747358947992325f, 0.41360348463058472f), vec2<f32>(-0.19334819912910461f, -0.34689420461654663f), vec2<f32>(0.80768358707427979f, -0.37000563740730286f), vec2<f32>(0.33436411619186401f, -0.82407790422439575f), vec2<f32>(-0.79105347394943237f, -0.45378401875495911f), vec2<f32>(-0.23485180735588074f, -0.86940687894821167f), vec2<f32>(0.37255629897117615f, -0.05855973064899445f), vec2<f32>(0.5726354718208313f, 0.72984015941619873f), vec2<f32>(0.8966706395149231f, 0.17047682404518127f), vec2<f32>(-0.43273070454597473f, 0.81860679388046265f), vec2<f32>(0.1212853416800499f, 0.92984902858734131f), vec2<f32>(-0.42749753594398499f, -0.15111121535301208f), vec2<f32>(-0.94129812717437744f, 0.00735718011856079f), vec2<f32>(0.52211439609527588f, -0.28702935576438904f), vec2<f32>(-0.79033631086349487f, 0.5402228832244873f), vec2<f32>(-0.23410981893539429f, -0.59940856695175171f), vec2<f32>(0.28244560956954956f, -0.563071608543396f), vec2<f32>(0.57051312923431396f, 0.18359191715717316f) );
 var<private> SKIN_POISSON_8 : array<vec2<f32>, i32(8)> = array<vec2<f32>, i32(8)>( vec2<f32>(-0.16089901328086853f, -0.04573699831962585f), vec2<f32>(-0.89243310689926147f, 0.18877510726451874f), vec2<f32>(-0.17830690741539001f, 0.7200586199760437f), vec2<f32>(-0.53433239459991455f, -0.70478206872940063f), vec2<f32>(0.22474820911884308f, -0.69165337085723877f), vec2<f32>(0.5559992790222168f, 0.1985180526971817f), vec2<f32>(0.64686292409896851f, -0.3364911675453186f), vec2<f32>(0.33836102485656738f, 0.67131179571151733f) );
 
+fn skin_map_level(map_extent : vec2<f32>, uv_along_x : vec2<f32>, uv_along_y : vec2<f32>) -> f32
+{
+    var to_right_0 : vec2<f32> = uv_along_x * map_extent;
+    var upward_0 : vec2<f32> = uv_along_y * map_extent;
+    var x_1 : f32 = dot(to_right_0, to_right_0);
+    var y_0 : f32 = dot(upward_0, upward_0);
+    return max(0.5f * log2(max(max(min(x_1, y_0), max(x_1, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
+}
+
 fn skin_blur_level(sigma_mm : f32, uv_scale_mm : f32, map_size : f32, hardware_level : f32) -> f32
 {
     return max(hardware_level, log2(max(2.0f * sigma_mm * map_size / uv_scale_mm, 1.0f)));
@@ -324,16 +333,16 @@ fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
     var _S17 : f32 = direction.x;
     var _S18 : f32 = direction.z;
     var level_0 : f32 = sqrt(_S17 * _S17 + _S18 * _S18);
-    var x_1 : f32;
+    var x_2 : f32;
     if(level_0 > 0.0f)
     {
-        x_1 = _S17;
+        x_2 = _S17;
     }
     else
     {
-        x_1 = 1.0f;
+        x_2 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S18, x_1) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S18, x_2) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
 }
 
 fn skin_reflection_level(power : f32) -> f32
@@ -359,9 +368,9 @@ fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler 
 
 fn skin_filmic(light : vec3<f32>) -> vec3<f32>
 {
-    var x_2 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S21 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_2;
-    return x_2 * (_S21 + vec3<f32>(0.5f)) / (x_2 * (_S21 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S21 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S21 + vec3<f32>(0.5f)) / (x_3 * (_S21 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 fn skin_srgb_curve(x : f32) -> f32
@@ -380,8 +389,8 @@ fn skin_srgb_curve(x : f32) -> f32
 
 fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
 {
-    var x_4 : vec3<f32> = saturate(light);
-    return vec3<f32>(skin_srgb_curve(x_4.x), skin_srgb_curve(x_4.y), skin_srgb_curve(x_4.z));
+    var x_5 : vec3<f32> = saturate(light);
+    return vec3<f32>(skin_srgb_curve(x_5.x), skin_srgb_curve(x_5.y), skin_srgb_curve(x_5.z));
 }
 
 fn skin_linear_curve(x : f32) -> f32
@@ -400,8 +409,8 @@ fn skin_linear_curve(x : f32) -> f32
 
 fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>
 {
-    var x_6 : vec3<f32> = saturate(display);
-    return vec3<f32>(skin_linear_curve(x_6.x), skin_linear_curve(x_6.y), skin_linear_curve(x_6.z));
+    var x_7 : vec3<f32> = saturate(display);
+    return vec3<f32>(skin_linear_curve(x_7.x), skin_linear_curve(x_7.y), skin_linear_curve(x_7.z));
 }
 
 fn skin_classic_blur_level(radius_mm : f32, uv_scale_mm : f32, map_size : f32, hardware_level : f32) -> f32

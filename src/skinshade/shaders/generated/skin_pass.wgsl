@@ -200,27 +200,27 @@ fn map_size_0( map_0 : texture_2d<f32>) -> vec2<f32>
     return vec2<f32>(f32(width_0), f32(height_0));
 }
 
-fn map_level_0( size_0 : vec2<f32>,  along_x_0 : vec2<f32>,  along_y_0 : vec2<f32>) -> f32
+fn skin_map_level_0( map_extent_0 : vec2<f32>,  uv_along_x_0 : vec2<f32>,  uv_along_y_0 : vec2<f32>) -> f32
 {
-    var _S2 : vec2<f32> = along_x_0 * size_0;
-    var x_1 : f32 = dot(_S2, _S2);
-    var _S3 : vec2<f32> = along_y_0 * size_0;
-    var y_0 : f32 = dot(_S3, _S3);
+    var to_right_0 : vec2<f32> = uv_along_x_0 * map_extent_0;
+    var upward_0 : vec2<f32> = uv_along_y_0 * map_extent_0;
+    var x_1 : f32 = dot(to_right_0, to_right_0);
+    var y_0 : f32 = dot(upward_0, upward_0);
     return max(0.5f * log2(max(max(min(x_1, y_0), max(x_1, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
 }
 
-fn map_color_0( map_1 : texture_2d<f32>,  bit_0 : i32,  uv_0 : vec2<f32>,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32>) -> vec4<f32>
+fn map_color_0( map_1 : texture_2d<f32>,  bit_0 : i32,  uv_0 : vec2<f32>,  along_x_0 : vec2<f32>,  along_y_0 : vec2<f32>) -> vec4<f32>
 {
     if(((MAPS_0 & (bit_0))) == i32(0))
     {
-        const _S4 : vec3<i32> = vec3<i32>(i32(0), i32(0), i32(0));
-        return (textureLoad((map_1), ((_S4)).xy, ((_S4)).z));
+        const _S2 : vec3<i32> = vec3<i32>(i32(0), i32(0), i32(0));
+        return (textureLoad((map_1), ((_S2)).xy, ((_S2)).z));
     }
     if(MULTISAMPLED_0 > i32(0))
     {
-        return (textureSampleGrad((map_1), (footprint_sampler_0), (uv_0), (along_x_1), (along_y_1)));
+        return (textureSampleGrad((map_1), (footprint_sampler_0), (uv_0), (along_x_0), (along_y_0)));
     }
-    return (textureSampleLevel((map_1), (map_sampler_0), (uv_0), (map_level_0(map_size_0(map_1), along_x_1, along_y_1))));
+    return (textureSampleLevel((map_1), (map_sampler_0), (uv_0), (skin_map_level_0(map_size_0(map_1), along_x_0, along_y_0))));
 }
 
 fn skin_blur_level_0( sigma_mm_0 : f32,  uv_scale_mm_1 : f32,  map_size_1 : f32,  hardware_level_0 : f32) -> f32
@@ -261,39 +261,39 @@ struct Surface_0
      bounced_0 : vec3<f32>,
 };
 
-fn surface_of_0( o_1 : Fragment_0,  along_x_2 : vec2<f32>,  along_y_2 : vec2<f32>) -> Surface_0
+fn surface_of_0( o_1 : Fragment_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32>) -> Surface_0
 {
     var s_0 : Surface_0;
-    var _S5 : vec3<f32> = o_1.a_0.xyz;
-    s_0.position_0 = _S5;
-    s_0.view_0 = skin_unit_vectors_0(frame_block_0.eye_mm_0.xyz - _S5);
+    var _S3 : vec3<f32> = o_1.a_0.xyz;
+    s_0.position_0 = _S3;
+    s_0.view_0 = skin_unit_vectors_0(frame_block_0.eye_mm_0.xyz - _S3);
     var interpolated_0 : vec3<f32> = vec3<f32>(o_1.a_0.w, o_1.b_0.xy);
-    var _S6 : f32 = max(skin_safe_length_0(interpolated_0), 0.00100000004749745f);
+    var _S4 : f32 = max(skin_safe_length_0(interpolated_0), 0.00100000004749745f);
     var normal_0 : vec3<f32> = skin_unit_vectors_0(interpolated_0);
     s_0.mesh_normal_0 = normal_0;
     s_0.curvature_per_mm_0 = o_1.d_0.x;
     s_0.tensor_0 = mat3x3<f32>(o_1.d_0.yzw, vec3<f32>(o_1.d_0.z, o_1.e_0.xy), vec3<f32>(o_1.d_0.w, o_1.e_0.yz));
-    s_0.diffused_0 = mat3x3<f32>(vec3<f32>(o_1.e_0.w, o_1.f_0.xy), vec3<f32>(o_1.f_0.zw, o_1.g_0.x), o_1.g_0.yzw) * (1.0f / _S6);
+    s_0.diffused_0 = mat3x3<f32>(vec3<f32>(o_1.e_0.w, o_1.f_0.xy), vec3<f32>(o_1.f_0.zw, o_1.g_0.x), o_1.g_0.yzw) * (1.0f / _S4);
     s_0.diffused_curvature_per_mm_0 = o_1.h_0.xyz;
     s_0.visibility_0 = vec3<f32>(o_1.h_0.w, o_1.i_0.xy);
     s_0.through_0 = vec3<f32>(o_1.i_0.zw, o_1.j_0.x);
     s_0.bounced_0 = o_1.j_0.yzw;
     var uv_1 : vec2<f32> = o_1.c_0.zw;
-    var coat_0 : vec4<f32> = map_color_0(specular_map_0, i32(2), uv_1, along_x_2, along_y_2);
+    var coat_0 : vec4<f32> = map_color_0(specular_map_0, i32(2), uv_1, along_x_1, along_y_1);
     s_0.reflectance_1 = skin_block_0.reflectance_0 * coat_0.x;
     s_0.gloss_3 = coat_0.y;
-    s_0.albedo_1 = map_color_0(albedo_map_0, i32(1), uv_1, along_x_2, along_y_2).xyz;
-    s_0.tint_0 = map_color_0(tint_map_0, i32(4), uv_1, along_x_2, along_y_2).xyz;
+    s_0.albedo_1 = map_color_0(albedo_map_0, i32(1), uv_1, along_x_1, along_y_1).xyz;
+    s_0.tint_0 = map_color_0(tint_map_0, i32(4), uv_1, along_x_1, along_y_1).xyz;
     s_0.fetched_0 = mat3x3<f32>(normal_0, normal_0, normal_0);
     if(FETCHES_0 > i32(1))
     {
         var tangent_0 : vec3<f32> = vec3<f32>(o_1.b_0.zw, o_1.c_0.x);
         var tangent_1 : vec3<f32> = skin_unit_vectors_0(tangent_0 - normal_0 * vec3<f32>(dot(tangent_0, normal_0)));
         var bitangent_0 : vec3<f32> = cross(normal_0, tangent_1) * vec3<f32>(f32((i32(sign((o_1.c_0.y))))));
-        var size_1 : vec2<f32> = map_size_0(normal_map_0);
-        var _S7 : f32 = max(size_1.x, size_1.y);
-        var _S8 : f32 = map_level_0(size_1, along_x_2, along_y_2);
-        var sharp_1 : vec3<f32> = map_color_0(normal_map_0, i32(8), uv_1, along_x_2, along_y_2).xyz;
+        var size_0 : vec2<f32> = map_size_0(normal_map_0);
+        var _S5 : f32 = max(size_0.x, size_0.y);
+        var _S6 : f32 = skin_map_level_0(size_0, along_x_1, along_y_1);
+        var sharp_1 : vec3<f32> = map_color_0(normal_map_0, i32(8), uv_1, along_x_1, along_y_1).xyz;
         s_0.fetched_0[i32(0)] = tangent_1 * vec3<f32>(sharp_1.x) + bitangent_0 * vec3<f32>(sharp_1.y) + normal_0 * vec3<f32>(sharp_1.z);
         var fetch_0 : i32 = i32(1);
         for(;;)
@@ -314,38 +314,38 @@ fn surface_of_0( o_1 : Fragment_0,  along_x_2 : vec2<f32>,  along_y_2 : vec2<f32
             {
                 sigma_mm_1 = scatter_block_0.normal_sigmas_mm_0.y;
             }
-            var t_0 : vec3<f32> = (textureSampleLevel((normal_map_0), (map_sampler_0), (uv_1), (skin_blur_level_0(sigma_mm_1, frame_block_0.uv_scale_mm_0, _S7, _S8)))).xyz;
+            var t_0 : vec3<f32> = (textureSampleLevel((normal_map_0), (map_sampler_0), (uv_1), (skin_blur_level_0(sigma_mm_1, frame_block_0.uv_scale_mm_0, _S5, _S6)))).xyz;
             s_0.fetched_0[fetch_0] = tangent_1 * vec3<f32>(t_0.x) + bitangent_0 * vec3<f32>(t_0.y) + normal_0 * vec3<f32>(t_0.z);
             fetch_0 = fetch_0 + i32(1);
         }
     }
     s_0.sharp_0 = skin_unit_vectors_0(s_0.fetched_0[i32(0)]);
-    var _S9 : vec3<f32>;
+    var _S7 : vec3<f32>;
     if(FETCHES_0 == i32(2))
     {
-        _S9 = s_0.fetched_0[i32(1)];
+        _S7 = s_0.fetched_0[i32(1)];
     }
     else
     {
-        _S9 = s_0.fetched_0[i32(2)];
+        _S7 = s_0.fetched_0[i32(2)];
     }
-    s_0.blurred_0 = skin_unit_vectors_0(_S9);
+    s_0.blurred_0 = skin_unit_vectors_0(_S7);
     s_0.gloss_3 = skin_gloss_of_relief_0(s_0.gloss_3, skin_safe_length_0(s_0.fetched_0[i32(0)]));
     return s_0;
 }
 
 fn skin_linear_curve_0( x_2 : f32) -> f32
 {
-    var _S10 : f32;
+    var _S8 : f32;
     if(x_2 <= 0.04044999927282333f)
     {
-        _S10 = x_2 / 12.92000007629394531f;
+        _S8 = x_2 / 12.92000007629394531f;
     }
     else
     {
-        _S10 = pow((x_2 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S8 = pow((x_2 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S10;
+    return _S8;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -366,8 +366,8 @@ fn curvature_colour_0( curvature_per_mm_1 : f32) -> vec3<f32>
     {
         end_0 = vec3<f32>(0.10000000149011612f, 0.30000001192092896f, 0.85000002384185791f);
     }
-    var _S11 : vec3<f32> = vec3<f32>(0.92000001668930054f);
-    return skin_linear_from_srgb_0(_S11 + (end_0 - _S11) * vec3<f32>(sqrt(abs(share_0))));
+    var _S9 : vec3<f32> = vec3<f32>(0.92000001668930054f);
+    return skin_linear_from_srgb_0(_S9 + (end_0 - _S9) * vec3<f32>(sqrt(abs(share_0))));
 }
 
 fn skin_classic_ambient_normals_0( sharp_2 : vec3<f32>,  blurred_1 : vec3<f32>) -> mat3x3<f32>
@@ -433,9 +433,9 @@ struct Diffused_0
 fn diffused_surface_0( s_1 : Surface_0) -> Diffused_0
 {
     var d_2 : Diffused_0;
-    var _S12 : mat3x3<f32> = skin_blend_normals_0(s_1.fetched_0, blend_weights_0());
-    d_2.normals_1 = _S12;
-    d_2.with_mesh_0 = _S12;
+    var _S10 : mat3x3<f32> = skin_blend_normals_0(s_1.fetched_0, blend_weights_0());
+    d_2.normals_1 = _S10;
+    d_2.with_mesh_0 = _S10;
     d_2.relief_length_0 = vec3<f32>(1.0f);
     if(TIER_0 == i32(2))
     {
@@ -447,11 +447,11 @@ fn diffused_surface_0( s_1 : Surface_0) -> Diffused_0
 
 fn skin_energy_gain_0( albedo_2 : vec3<f32>,  rms_radius_mm_1 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S13 : vec3<f32> = vec3<f32>(1.0f);
-    var absorbed_0 : vec3<f32> = _S13 - albedo_2;
+    var _S11 : vec3<f32> = vec3<f32>(1.0f);
+    var absorbed_0 : vec3<f32> = _S11 - albedo_2;
     var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm_1 * max(curvature_per_mm_2, vec3<f32>(0.0f));
     var bound_0 : vec3<f32> = u_0 * albedo_2 / absorbed_0;
-    return _S13 + u_0 / sqrt(_S13 + bound_0 * bound_0);
+    return _S11 + u_0 / sqrt(_S11 + bound_0 * bound_0);
 }
 
 fn moments_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
@@ -459,20 +459,20 @@ fn moments_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
     var place_0 : vec2<f32> = clamp(at_0 - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>(1023.0f));
     var corner_0 : vec2<f32> = min(floor(place_0), vec2<f32>(1022.0f));
     var f_2 : vec2<f32> = place_0 - corner_0;
-    var _S14 : vec2<i32> = vec2<i32>(corner_0);
-    var _S15 : vec4<i32> = vec4<i32>(_S14, layer_0, i32(0));
-    var _S16 : vec4<i32> = vec4<i32>(_S14 + vec2<i32>(i32(1), i32(0)), layer_0, i32(0));
-    var _S17 : vec4<i32> = vec4<i32>(_S14 + vec2<i32>(i32(0), i32(1)), layer_0, i32(0));
-    var _S18 : vec4<i32> = vec4<i32>(_S14 + vec2<i32>(i32(1), i32(1)), layer_0, i32(0));
-    var _S19 : vec2<f32> = vec2<f32>(f_2.x);
-    return mix(mix((textureLoad((moments_0), ((_S15)).xy, i32(((_S15)).z), ((_S15)).w).xy).xy, (textureLoad((moments_0), ((_S16)).xy, i32(((_S16)).z), ((_S16)).w).xy).xy, _S19), mix((textureLoad((moments_0), ((_S17)).xy, i32(((_S17)).z), ((_S17)).w).xy).xy, (textureLoad((moments_0), ((_S18)).xy, i32(((_S18)).z), ((_S18)).w).xy).xy, _S19), vec2<f32>(f_2.y));
+    var _S12 : vec2<i32> = vec2<i32>(corner_0);
+    var _S13 : vec4<i32> = vec4<i32>(_S12, layer_0, i32(0));
+    var _S14 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(0)), layer_0, i32(0));
+    var _S15 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(0), i32(1)), layer_0, i32(0));
+    var _S16 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(1)), layer_0, i32(0));
+    var _S17 : vec2<f32> = vec2<f32>(f_2.x);
+    return mix(mix((textureLoad((moments_0), ((_S13)).xy, i32(((_S13)).z), ((_S13)).w).xy).xy, (textureLoad((moments_0), ((_S14)).xy, i32(((_S14)).z), ((_S14)).w).xy).xy, _S17), mix((textureLoad((moments_0), ((_S15)).xy, i32(((_S15)).z), ((_S15)).w).xy).xy, (textureLoad((moments_0), ((_S16)).xy, i32(((_S16)).z), ((_S16)).w).xy).xy, _S17), vec2<f32>(f_2.y));
 }
 
 fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_1 : f32) -> f32
 {
-    var _S20 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
-    var _S21 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
-    return _S20 / (_S20 + _S21 * _S21);
+    var _S18 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S19 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
+    return _S18 / (_S18 + _S19 * _S19);
 }
 
 fn depth_at_0( at_1 : vec2<f32>,  layer_1 : i32) -> f32
@@ -486,25 +486,25 @@ fn depth_at_0( at_1 : vec2<f32>,  layer_1 : i32) -> f32
     {
         inside_0 = false;
     }
-    var _S22 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_1, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_1, i32(0));
-    var found_0 : f32 = (textureLoad((depths_0), ((_S22)).xy, i32(((_S22)).z), ((_S22)).w).x);
-    var _S23 : f32;
+    var _S20 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_1, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_1, i32(0));
+    var found_0 : f32 = (textureLoad((depths_0), ((_S20)).xy, i32(((_S20)).z), ((_S20)).w).x);
+    var _S21 : f32;
     if(inside_0)
     {
-        _S23 = found_0;
+        _S21 = found_0;
     }
     else
     {
-        _S23 = 1.00000001504746622e+30f;
+        _S21 = 1.00000001504746622e+30f;
     }
-    return _S23;
+    return _S21;
 }
 
 fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_2 : i32) -> f32
 {
-    var _S24 : vec2<f32> = at_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S24);
-    var f_3 : vec2<f32> = _S24 - corner_1;
+    var _S22 : vec2<f32> = at_2 - vec2<f32>(0.5f);
+    var corner_1 : vec2<f32> = floor(_S22);
+    var f_3 : vec2<f32> = _S22 - corner_1;
     var a_2 : f32;
     if((depth_at_0(corner_1, layer_2)) >= depth_0)
     {
@@ -541,8 +541,8 @@ fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_2 : i32) -> f32
     {
         d_3 = 0.0f;
     }
-    var _S25 : f32 = f_3.x;
-    return mix(mix(a_2, b_2, _S25), mix(c_2, d_3, _S25), f_3.y);
+    var _S23 : f32 = f_3.x;
+    return mix(mix(a_2, b_2, _S23), mix(c_2, d_3, _S23), f_3.y);
 }
 
 fn skin_inward_offset_0( position_mm_1 : vec3<f32>,  normal_2 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
@@ -558,12 +558,12 @@ struct Incident_0
      thickness_mm_0 : f32,
 };
 
-fn place_in_map_0( _S26 : i32,  _S27 : vec3<f32>) -> vec4<f32>
+fn place_in_map_0( _S24 : i32,  _S25 : vec3<f32>) -> vec4<f32>
 {
-    var p_1 : vec4<f32> = vec4<f32>(_S27, 1.0f);
-    var _S28 : f32 = dot(lights_0[_S26].view_z_0, p_1);
-    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S26].view_x_0, p_1), dot(lights_0[_S26].view_y_0, p_1), _S28, 1.0f);
-    var w_0 : f32 = dot(lights_0[_S26].clip_w_1, seen_0);
+    var p_1 : vec4<f32> = vec4<f32>(_S25, 1.0f);
+    var _S26 : f32 = dot(lights_0[_S24].view_z_0, p_1);
+    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S24].view_x_0, p_1), dot(lights_0[_S24].view_y_0, p_1), _S26, 1.0f);
+    var w_0 : f32 = dot(lights_0[_S24].clip_w_1, seen_0);
     var w_1 : f32;
     if((abs(w_0)) < 9.99999971718068537e-10f)
     {
@@ -573,25 +573,25 @@ fn place_in_map_0( _S26 : i32,  _S27 : vec3<f32>) -> vec4<f32>
     {
         w_1 = w_0;
     }
-    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S26].clip_x_1, seen_0), dot(lights_0[_S26].clip_y_1, seen_0)) / vec2<f32>(w_1);
-    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S28, abs(w_1) * 2.0f / (lights_0[_S26].clip_x_1.x * 1024.0f));
+    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S24].clip_x_1, seen_0), dot(lights_0[_S24].clip_y_1, seen_0)) / vec2<f32>(w_1);
+    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S26, abs(w_1) * 2.0f / (lights_0[_S24].clip_x_1.x * 1024.0f));
 }
 
-fn wide_filter_0( _S29 : i32,  _S30 : i32,  _S31 : Surface_0,  _S32 : vec3<f32>) -> f32
+fn wide_filter_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0,  _S30 : vec3<f32>) -> f32
 {
-    var cosine_0 : f32 = dot(_S31.mesh_normal_0, _S32);
-    var _S33 : f32 = max(- cosine_0, 0.0f);
-    var _S34 : vec4<f32> = place_in_map_0(_S29, _S31.position_0 + skin_unit_vectors_0(_S32 - _S31.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S33 / max(_S31.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
+    var cosine_0 : f32 = dot(_S29.mesh_normal_0, _S30);
+    var _S31 : f32 = max(- cosine_0, 0.0f);
+    var _S32 : vec4<f32> = place_in_map_0(_S27, _S29.position_0 + skin_unit_vectors_0(_S30 - _S29.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S31 / max(_S29.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
     if(SHADOW_FILTER_0 == i32(1))
     {
-        var mean_0 : vec2<f32> = moments_at_0(_S34.xy, _S30 / i32(2));
-        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S34.z - 0.40000000596046448f - lights_0[_S29].depth_mm_0.x);
+        var mean_0 : vec2<f32> = moments_at_0(_S32.xy, _S28 / i32(2));
+        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S32.z - 0.40000000596046448f - lights_0[_S27].depth_mm_0.x);
     }
-    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S31.mesh_normal_0 + _S32 * vec3<f32>(_S33));
-    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S29].view_x_0.xyz, upright_0), - dot(lights_0[_S29].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S29].view_z_0.xyz, upright_0), 0.00100000004749745f));
-    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S31.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
-    var _S35 : f32 = _S34.w;
-    var _S36 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S35, 1024.0f);
+    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S29.mesh_normal_0 + _S30 * vec3<f32>(_S31));
+    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S27].view_x_0.xyz, upright_0), - dot(lights_0[_S27].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S27].view_z_0.xyz, upright_0), 0.00100000004749745f));
+    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S29.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
+    var _S33 : f32 = _S32.w;
+    var _S34 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S33, 1024.0f);
     var tap_0 : i32 = i32(0);
     var total_1 : f32 = 0.0f;
     for(;;)
@@ -603,18 +603,18 @@ fn wide_filter_0( _S29 : i32,  _S30 : i32,  _S31 : Surface_0,  _S32 : vec3<f32>)
         {
             break;
         }
-        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S36);
-        var total_2 : f32 = total_1 + compared_0(_S34.xy + across_0, _S34.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S35), across_0), _S30);
+        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S34);
+        var total_2 : f32 = total_1 + compared_0(_S32.xy + across_0, _S32.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S33), across_0), _S28);
         tap_0 = tap_0 + i32(1);
         total_1 = total_2;
     }
     return total_1 / 48.0f;
 }
 
-fn thickness_0( _S37 : i32,  _S38 : i32,  _S39 : Surface_0) -> f32
+fn thickness_0( _S35 : i32,  _S36 : i32,  _S37 : Surface_0) -> f32
 {
-    var _S40 : vec4<f32> = place_in_map_0(_S37, skin_inward_offset_0(_S39.position_0, _S39.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
-    var _S41 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S40.w;
+    var _S38 : vec4<f32> = place_in_map_0(_S35, skin_inward_offset_0(_S37.position_0, _S37.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
+    var _S39 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S38.w;
     var tap_1 : i32 = i32(0);
     var total_3 : f32 = 0.0f;
     for(;;)
@@ -626,17 +626,17 @@ fn thickness_0( _S37 : i32,  _S38 : i32,  _S39 : Surface_0) -> f32
         {
             break;
         }
-        var found_1 : f32 = depth_at_0(floor(_S40.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S41)), _S38);
-        var _S42 : f32;
+        var found_1 : f32 = depth_at_0(floor(_S38.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S39)), _S36);
+        var _S40 : f32;
         if(found_1 < 1.00000001504746622e+30f)
         {
-            _S42 = max(_S40.z - found_1, 0.0f);
+            _S40 = max(_S38.z - found_1, 0.0f);
         }
         else
         {
-            _S42 = 0.0f;
+            _S40 = 0.0f;
         }
-        var total_4 : f32 = total_3 + _S42;
+        var total_4 : f32 = total_3 + _S40;
         tap_1 = tap_1 + i32(1);
         total_3 = total_4;
     }
@@ -647,16 +647,16 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
 {
     var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
     var found_2 : Incident_0;
-    var _S43 : vec3<f32> = lights_0[index_0].direction_0.xyz;
-    found_2.to_light_0 = _S43;
+    var _S41 : vec3<f32> = lights_0[index_0].direction_0.xyz;
+    found_2.to_light_0 = _S41;
     var irradiance_2 : vec3<f32>;
     if((lights_0[index_0].near_0) > 0.5f)
     {
         var away_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_2.position_0;
-        var _S44 : vec3<f32> = skin_unit_vectors_0(away_0);
-        found_2.to_light_0 = _S44;
+        var _S42 : vec3<f32> = skin_unit_vectors_0(away_0);
+        found_2.to_light_0 = _S42;
         var outer_0 : f32 = lights_0[index_0].cone_cosines_0.x;
-        var t_1 : f32 = saturate((dot(_S44, _S43) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
+        var t_1 : f32 = saturate((dot(_S42, _S41) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
         irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].target_distance_mm_0 * lights_0[index_0].target_distance_mm_0 / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
     }
     else
@@ -689,16 +689,16 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     {
         through_1 = (dot(s_2.blurred_0, found_2.to_light_0)) < through_below_0;
     }
-    var _S45 : bool;
+    var _S43 : bool;
     if(TAPS_0 > i32(0))
     {
-        _S45 = cosine_1 < 0.5f;
+        _S43 = cosine_1 < 0.5f;
     }
     else
     {
-        _S45 = false;
+        _S43 = false;
     }
-    if(_S45)
+    if(_S43)
     {
     }
     else
@@ -726,13 +726,13 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_0 : f32,  radius_
 fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_3 * albedo_3;
-    var _S46 : vec3<f32> = vec3<f32>(1.0f);
-    var _S47 : vec3<f32> = vec3<f32>(2.0f);
-    var _S48 : vec3<f32> = _S47 * albedo_3;
-    var a_3 : vec3<f32> = (_S46 + a2_0) / _S48;
-    var b_3 : vec3<f32> = (_S46 - a2_0) / _S48;
+    var _S44 : vec3<f32> = vec3<f32>(1.0f);
+    var _S45 : vec3<f32> = vec3<f32>(2.0f);
+    var _S46 : vec3<f32> = _S45 * albedo_3;
+    var a_3 : vec3<f32> = (_S44 + a2_0) / _S46;
+    var b_3 : vec3<f32> = (_S44 - a2_0) / _S46;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    return _S47 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+    return _S45 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
 }
 
 fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_1 : f32) -> vec3<f32>
@@ -787,23 +787,23 @@ fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  lengths_0 : v
 fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
 {
     var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
-    var _S49 : vec2<f32> = lut_axes_2.xz;
-    var _S50 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S49) * _S50)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S49) * _S50)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S49) * _S50)), (0.0f))).xyz.z);
+    var _S47 : vec2<f32> = lut_axes_2.xz;
+    var _S48 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S47) * _S48)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S47) * _S48)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S47) * _S48)), (0.0f))).xyz.z);
 }
 
 fn skin_relief_bump_0( m_0 : f32,  s_4 : f32) -> f32
 {
-    var _S51 : f32 = max(s_4, 9.99999971718068537e-10f);
-    var _S52 : f32 = min(abs(m_0) / _S51, 8.0f);
-    return _S51 * (0.39894229173660278f * exp(-0.5f * _S52 * _S52)) / (1.0f + _S52 * (1.25119507312774658f + _S52 * (0.58454132080078125f + _S52 * 0.06752368807792664f)));
+    var _S49 : f32 = max(s_4, 9.99999971718068537e-10f);
+    var _S50 : f32 = min(abs(m_0) / _S49, 8.0f);
+    return _S49 * (0.39894229173660278f * exp(-0.5f * _S50 * _S50)) / (1.0f + _S50 * (1.25119507312774658f + _S50 * (0.58454132080078125f + _S50 * 0.06752368807792664f)));
 }
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S53 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S53));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S53));
+    var _S51 : vec3<f32> = vec3<f32>(0.0f);
+    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S51));
+    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S51));
     return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z * sine_0.z));
 }
 
@@ -845,8 +845,8 @@ fn diffused_light_0( s_5 : Surface_0,  d_4 : Diffused_0,  to_light_1 : vec3<f32>
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
 {
     var k_2 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S54 : f32 = 1.0f - k_2;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S54 * n_dot_l_4) * (k_2 + _S54 * n_dot_v_0)));
+    var _S52 : f32 = 1.0f - k_2;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S52 * n_dot_l_4) * (k_2 + _S52 * n_dot_v_0)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
@@ -863,10 +863,10 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_5 : vec3<f32>) -> vec3<f32>
 {
-    var _S55 : f32 = d_5.y;
-    var _S56 : f32 = d_5.z;
-    var _S57 : f32 = d_5.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S55 + sh_0[i32(0)].z * _S56 + sh_0[i32(1)].x * _S57), 1.09254848957061768f * (sh_0[i32(1)].y * _S57 * _S55 + sh_0[i32(1)].z * _S55 * _S56 + sh_0[i32(2)].y * _S57 * _S56) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S56 * _S56 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S57 * _S57 - _S55 * _S55));
+    var _S53 : f32 = d_5.y;
+    var _S54 : f32 = d_5.z;
+    var _S55 : f32 = d_5.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S53 + sh_0[i32(0)].z * _S54 + sh_0[i32(1)].x * _S55), 1.09254848957061768f * (sh_0[i32(1)].y * _S55 * _S53 + sh_0[i32(1)].z * _S53 * _S54 + sh_0[i32(2)].y * _S55 * _S54) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S54 * _S54 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S55 * _S55 - _S53 * _S53));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -883,8 +883,8 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S58 : vec3<f32> = vec3<f32>(1.0f);
-    var _S59 : mat3x3<f32> = mat3x3<f32>(_S58, _S58, _S58);
+    var _S56 : vec3<f32> = vec3<f32>(1.0f);
+    var _S57 : mat3x3<f32> = mat3x3<f32>(_S56, _S56, _S56);
     var bands_0 : mat3x3<f32>;
     if(SHADING_0 == i32(2))
     {
@@ -893,7 +893,7 @@ fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>)
     }
     else
     {
-        bands_0 = _S59;
+        bands_0 = _S57;
     }
     return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), seen_1, bands_0);
 }
@@ -921,19 +921,19 @@ fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
 
 fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S60 : f32 = direction_1.x;
-    var _S61 : f32 = direction_1.z;
-    var level_0 : f32 = sqrt(_S60 * _S60 + _S61 * _S61);
+    var _S58 : f32 = direction_1.x;
+    var _S59 : f32 = direction_1.z;
+    var level_0 : f32 = sqrt(_S58 * _S58 + _S59 * _S59);
     var x_4 : f32;
     if(level_0 > 0.0f)
     {
-        x_4 = _S60;
+        x_4 = _S58;
     }
     else
     {
         x_4 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S61, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S59, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
 }
 
 fn skin_reflection_level_0( power_2 : f32) -> f32
@@ -944,10 +944,10 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_2 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
     var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S62 : f32 = min(floor(level_1), 3.0f);
+    var _S60 : f32 = min(floor(level_1), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S63 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S63, (_S62 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S63, (_S62 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S62)));
+    var _S61 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S60)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -989,40 +989,40 @@ struct pixelInput_0
 };
 
 @fragment
-fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S65 : Fragment_0 = Fragment_0( clip_1, _S64.a_4, _S64.b_4, _S64.c_3, _S64.d_6, _S64.e_2, _S64.f_4, _S64.g_2, _S64.h_2, _S64.i_2, _S64.j_2 );
-    var _S66 : vec2<f32> = _S64.c_3.zw;
-    var _S67 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_7 : Surface_0 = surface_of_0(_S65, dpdx(_S66) * _S67, dpdy(_S66) * _S67);
+    var _S63 : Fragment_0 = Fragment_0( clip_1, _S62.a_4, _S62.b_4, _S62.c_3, _S62.d_6, _S62.e_2, _S62.f_4, _S62.g_2, _S62.h_2, _S62.i_2, _S62.j_2 );
+    var _S64 : vec2<f32> = _S62.c_3.zw;
+    var _S65 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_7 : Surface_0 = surface_of_0(_S63, dpdx(_S64) * _S65, dpdy(_S64) * _S65);
     if(VIEW_0 == i32(1))
     {
-        var _S68 : vec3<f32> = vec3<f32>(0.5f);
-        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_7.sharp_0), 1.0f) );
-        return _S69;
+        var _S66 : vec3<f32> = vec3<f32>(0.5f);
+        var _S67 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S66 + _S66 * s_7.sharp_0), 1.0f) );
+        return _S67;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S70 : vec3<f32> = vec3<f32>(0.5f);
-        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S70 + _S70 * s_7.blurred_0), 1.0f) );
-        return _S71;
+        var _S68 : vec3<f32> = vec3<f32>(0.5f);
+        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_7.blurred_0), 1.0f) );
+        return _S69;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S72 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
-        return _S72;
+        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        return _S70;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S73 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
-        return _S73;
+        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        return _S71;
     }
-    var _S74 : vec3<f32> = s_7.sharp_0;
-    var _S75 : mat3x3<f32> = mat3x3<f32>(_S74, _S74, _S74);
-    var _S76 : vec3<f32> = vec3<f32>(1.0f);
+    var _S72 : vec3<f32> = s_7.sharp_0;
+    var _S73 : mat3x3<f32> = mat3x3<f32>(_S72, _S72, _S72);
+    var _S74 : vec3<f32> = vec3<f32>(1.0f);
     var seen_2 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
@@ -1030,24 +1030,24 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        seen_2 = _S75;
+        seen_2 = _S73;
     }
     var diffused_1 : Diffused_0;
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
         var diffused_2 : Diffused_0 = diffused_surface_0(s_7);
-        var _S77 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        var _S75 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
         diffused_1 = diffused_2;
-        gain_5 = _S77;
+        gain_5 = _S75;
         seen_2 = diffused_2.normals_1;
     }
     else
     {
-        gain_5 = _S76;
+        gain_5 = _S74;
     }
     var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S78 : vec3<f32> = vec3<f32>(0.0f);
+    var _S76 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1057,17 +1057,17 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         lit_most_0 = 1.0f;
     }
-    var _S79 : bool;
+    var _S77 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S79 = TAPS_0 > i32(0);
+        _S77 = TAPS_0 > i32(0);
     }
     else
     {
-        _S79 = false;
+        _S77 = false;
     }
     var thinnest_0 : f32;
-    if(_S79)
+    if(_S77)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1076,9 +1076,9 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S78;
-    var direct_3 : vec3<f32> = _S78;
-    var specular_0 : vec3<f32> = _S78;
+    var deep_0 : vec3<f32> = _S76;
+    var direct_3 : vec3<f32> = _S76;
+    var specular_0 : vec3<f32> = _S76;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1089,7 +1089,7 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
             break;
         }
         var light_8 : Incident_0 = incident_0(index_1, s_7);
-        var _S80 : f32 = max(lit_most_0, light_8.shadow_filter_0);
+        var _S78 : f32 = max(lit_most_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
@@ -1098,21 +1098,21 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S79 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
+            _S77 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
         }
         else
         {
-            _S79 = false;
+            _S77 = false;
         }
-        if(_S79)
+        if(_S77)
         {
             deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
         }
         if((light_8.shadow_filter_0) == 0.0f)
         {
-            var _S81 : i32 = index_1 + i32(1);
-            lit_most_0 = _S80;
-            index_1 = _S81;
+            var _S79 : i32 = index_1 + i32(1);
+            lit_most_0 = _S78;
+            index_1 = _S79;
             continue;
         }
         var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
@@ -1147,51 +1147,51 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_7.sharp_0, s_7.view_0, light_8.to_light_0, s_7.gloss_3, s_7.reflectance_1));
         direct_3 = direct_2;
         specular_0 = specular_1;
-        var _S81 : i32 = index_1 + i32(1);
-        lit_most_0 = _S80;
-        index_1 = _S81;
+        var _S79 : i32 = index_1 + i32(1);
+        lit_most_0 = _S78;
+        index_1 = _S79;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S82;
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S80;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S83;
+        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S81;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S84 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
+        var _S82 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
         var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
-        var _S85 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
+        var _S83 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
         if(SHADING_0 == i32(2))
         {
-            _S79 = TAPS_0 > i32(0);
+            _S77 = TAPS_0 > i32(0);
         }
         else
         {
-            _S79 = false;
+            _S77 = false;
         }
-        if(_S79)
+        if(_S77)
         {
             direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S78;
+            direct_0 = _S76;
         }
-        var _S86 : vec3<f32> = direct_0;
-        direct_0 = _S85;
-        direct_1 = _S84;
-        direct_2 = _S86;
+        var _S84 : vec3<f32> = direct_0;
+        direct_0 = _S83;
+        direct_1 = _S82;
+        direct_2 = _S84;
     }
     else
     {
-        direct_0 = _S78;
-        direct_1 = _S78;
-        direct_2 = _S78;
+        direct_0 = _S76;
+        direct_1 = _S76;
+        direct_2 = _S76;
     }
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
@@ -1206,7 +1206,7 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     var deep_1 : vec3<f32> = deep_0 * body_0;
     var ambient_0 : vec3<f32> = direct_1 * body_0;
     var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S87 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S85 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
     var shown_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
@@ -1214,7 +1214,7 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        shown_0 = _S87;
+        shown_0 = _S85;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1240,7 +1240,7 @@ fn fragment_main( _S64 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         shown_0 = min(shown_0, vec3<f32>(60000.0f));
     }
-    var _S88 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
-    return _S88;
+    var _S86 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
+    return _S86;
 }
 
