@@ -16,9 +16,9 @@ class Parity:
 
 FLOAT32 = Parity(2e-6, 2e-6, "some twenty roundings of 6e-8")
 BUMP = Parity(
-    6e-5, 2e-6, "a rational stands for the normal distribution in the bump: 3e-5 of its slope"
+    6e-6, 2e-6, "a polynomial stands for the normal distribution in the bump: 3e-6 of its slope"
 )
-TABLES = Parity(1e-4, 2e-6, "BUMP, and filter weights of 8 bits between columns 1/256 apart")
+TABLES = Parity(5e-5, 2e-6, "BUMP, and filter weights of 8 bits between columns 1/256 apart")
 
 PARITY = {
     "skin_relief_bump": BUMP,

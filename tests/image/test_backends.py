@@ -103,6 +103,19 @@ def test_the_head_is_the_same_picture_in_every_debug_view(head, view):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    "way", [{"debug_view": "thickness"}, {"shadow_filter": "variance"}], ids=str
+)
+def test_a_cone_that_the_head_reaches_beyond_is_the_same(head, way):
+    """Filters and taps reach past the rim of the lamp's map."""
+    scene, _, cpu = head
+    centre = scene.mesh.positions_mm.mean(axis=0)
+    behind = centre + np.array([250.0, 60.0, -350.0])
+    pair = both(scene, prepared=cpu, lights=(SpotLight(behind, centre, (9.0, 8.0, 7.0), 7.0),))
+    assert_equal_pictures(pair, **way)
+
+
+@pytest.mark.slow
 def test_supersampling_and_seed_take_the_same_samples(head):
     assert_equal_pictures(head, samples=4, seed=3)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 import subprocess
 from importlib import import_module
 
@@ -14,6 +15,8 @@ from skinshade.codegen.build import GENERATED, PAGE, generate
 from skinshade.codegen.compiler import LIBRARY, translate, version
 from skinshade.codegen.function_page import function_page
 from skinshade.codegen.signatures import signatures, twin_module
+from skinshade.render.cpu.shadow_map import FILTER_TAPS
+from skinshade.render.renderer import TAP_COUNTS
 
 HOST_ONLY = {
     "ambient": {"sh_basis": "inside skin_ambient_irradiance"},
@@ -58,6 +61,13 @@ def test_what_is_committed_is_what_the_generator_makes(made):
     assert set(committed) == set(made)
     for name, text in made.items():
         assert committed[name] == text, f"{name} is stale: run `make shaders`"
+
+
+def test_taps_come_in_whole_groups():
+    text = (LIBRARY.parent / "passes" / "incident.slang").read_text("utf-8")
+    at_once = int(re.search(r"AT_ONCE = (\d+);", text).group(1))
+    taps = (FILTER_TAPS, *TAP_COUNTS)
+    assert [count % at_once for count in taps] == [0] * len(taps)
 
 
 def test_the_page_of_functions_is_current(made, repository):

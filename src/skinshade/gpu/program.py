@@ -25,7 +25,7 @@ class Program:
     text
         WGSL with ``vertex_main`` and ``fragment_main``.
     unfiltered
-        Names of textures that are only loaded, texel by texel.
+        Names of textures that are read texel by texel, and of samplers that do.
     """
 
     def __init__(
@@ -94,7 +94,8 @@ class Program:
                 kind = "uniform" if point.space == "uniform" else "read-only-storage"
                 entry["buffer"] = {"type": kind}
             elif point.kind == "sampler":
-                entry["sampler"] = {"type": "filtering"}
+                kind = "non-filtering" if name in self._unfiltered else "filtering"
+                entry["sampler"] = {"type": kind}
             else:
                 kind = "unfilterable-float" if name in self._unfiltered else "float"
                 layers = "2d-array" if "array" in point.kind else "2d"

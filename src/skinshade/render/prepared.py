@@ -63,7 +63,7 @@ class PreparedScene:
     @cached_property
     def geometry(self) -> Geometry:
         """Everything that shading interpolates."""
-        return build_geometry(self.scene.mesh, self.skin.profile, self.sky)
+        return build_geometry(self.scene.mesh, self.skin, self.sky)
 
     @cached_property
     def light_views(self) -> list[tuple[Light, LightView]]:

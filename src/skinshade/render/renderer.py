@@ -34,6 +34,8 @@ Antialiasing = Literal["supersampling", "multisampling"]
 SHADINGS: tuple[ShadingMode, ...] = get_args(ShadingMode)
 TIERS: tuple[Tier, ...] = get_args(Tier)
 SHADOW_FILTERS: tuple[ShadowFilter, ...] = get_args(ShadowFilter)
+TAP_COUNTS = (0, 8, 32)
+"""Of deep scatter; 0 is off."""
 MULTISAMPLES = 4
 """Samples a pixel with ``multisampling``."""
 
@@ -81,7 +83,7 @@ class RenderSettings:
         for name, value, allowed in (
             ("shading", self.shading, SHADINGS),
             ("tier", self.tier, TIERS),
-            ("deep_scatter_taps", self.deep_scatter_taps, (0, 8, 32)),
+            ("deep_scatter_taps", self.deep_scatter_taps, TAP_COUNTS),
             ("normal_fetches", self.normal_fetches, (2, 3)),
             ("shadow_filter", self.shadow_filter, SHADOW_FILTERS),
             ("antialiasing", self.antialiasing, get_args(Antialiasing)),

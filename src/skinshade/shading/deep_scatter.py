@@ -142,12 +142,9 @@ def transmittance(
     (..., 3)
         Absolute; divide by the albedo where that is multiplied later.
     """
-    a2 = np.square(albedo)
-    a, b = (1.0 + a2) / (2.0 * albedo), (1.0 - a2) / (2.0 * albedo)
-    # b/(a sinh x + b cosh x), with e^{−x} taken out so that thick slabs do not overflow
-    x = sigma_per_mm * thickness_mm[..., None]
-    decay = np.exp(-x)
-    result: FloatArray = 2.0 * b * decay / (a + b - (a - b) * decay * decay)
+    # b/(a sinh x + b cosh x) with a, b = (1 ± A²)/2A, multiplied by e^{−x}: thick slabs do not overflow.
+    a2, decay = np.square(albedo), np.exp(-sigma_per_mm * thickness_mm[..., None])
+    result: FloatArray = (1.0 - a2) * decay / (1.0 - a2 * decay * decay)
     return result
 
 

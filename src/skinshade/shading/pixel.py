@@ -35,6 +35,9 @@ class Surface:
         (N, 3, 3) mesh normals diffused by the profile, or None.
     diffused_curvature_per_mm
         (N, 3) mean curvature diffused by the profile, or None; the energy gain takes it.
+    unexplained
+        (N, 3) of `skinshade.shading.direct.unexplained_length` where the map is flat, or None. It varies
+        no faster than vertices stand, and is found for them.
     """
 
     view: FloatArray
@@ -48,6 +51,7 @@ class Surface:
     tensor_world: FloatArray | None = None
     diffused_normals: FloatArray | None = None
     diffused_curvature_per_mm: FloatArray | None = None
+    unexplained: FloatArray | None = None
 
     @property
     def sharp(self) -> FloatArray:

@@ -159,6 +159,22 @@ def test_beyond_the_rim_of_a_sheet_taps_find_nothing():
     assert rim == pytest.approx(3.0, abs=0.7)
 
 
+def test_the_outermost_texels_see_nothing_and_so_does_what_is_beyond_them():
+    """A cone that the body fills and reaches beyond."""
+    narrow = SpotLight((0.0, 0.0, 700.0), (0.0, 0.0, 0.0), ONES, 2.0)
+    seen = render_shadow_map(narrow, wall(150.0))
+    for depths in (seen.first, seen.occluders):
+        assert np.isfinite(depths[1:-1, 1:-1]).all()
+        assert np.isinf(np.concatenate([depths[[0, -1]].ravel(), depths[:, [0, -1]].ravel()])).all()
+    points, normals = (
+        np.array([[-10.0, 0.0, 0.0], [-60.0, 0.0, 0.0]]),
+        np.tile([0.0, 0.0, 1.0], (2, 1)),
+    )
+    under, beyond = seen.thickness(points, normals, 0.0, 1.0, 8)
+    assert under == pytest.approx(50.0, abs=tol.SLAB_MM.value)
+    assert beyond == 0.0
+
+
 def test_few_filters_serve_every_reach_and_none_is_wider_than_the_map():
     """A lamp's texels differ from point to point, and so does the reach of its filter."""
     u, mesh = ball(3)

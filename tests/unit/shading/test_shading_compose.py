@@ -54,6 +54,7 @@ def random_surface(seed, kappa=0.05):
         tensor_world=shape[:, [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]],
         diffused_normals=np.repeat(n[:, None], 3, axis=1) * rng.uniform(0.9, 1.0, (COUNT, 3, 1)),
         diffused_curvature_per_mm=np.repeat(0.5 * (k1 + k2)[:, :, 0], 3, axis=1),
+        unexplained=rng.uniform(0.9, 1.0, (COUNT, 3)),
     )
 
 
@@ -90,6 +91,7 @@ def facing(albedo=1.0, **changes):
         tensor_world=np.zeros((1, 6)),
         diffused_normals=np.repeat(up[:, None], 3, axis=1),
         diffused_curvature_per_mm=np.zeros((1, 3)),
+        unexplained=np.ones((1, 3)),
     )
     return replace(plain, **changes)
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from ..._core.arrays import FloatArray, IntArray
 from ...mesh import Mesh, vertex_attributes
-from ...profile import Profile
+from ...shading.direct import directional_curvature, unexplained_length
+from ...shading.skin import Skin
 from .sky import SkyLight
 
 __all__ = ["Columns", "Geometry", "build_geometry"]
@@ -43,9 +44,10 @@ class Geometry:
         return {name: mixed[:, where] for name, where in self.slices.items()}
 
 
-def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geometry:
-    """Analyse a mesh for a profile."""
-    columns = vertex_attributes(mesh, profile)
+def build_geometry(mesh: Mesh, skin: Skin, sky: SkyLight | None) -> Geometry:
+    """Analyse a mesh for a skin."""
+    columns = vertex_attributes(mesh, skin.profile)
+    columns["unexplained"] = _unexplained(skin, columns)
     if sky is not None:
         columns["visibility"] = sky.visibility
         columns["through"] = sky.through
@@ -57,3 +59,11 @@ def build_geometry(mesh: Mesh, profile: Profile, sky: SkyLight | None) -> Geomet
         for name, start, end in zip(columns, starts, ends, strict=True)
     }
     return Geometry(np.concatenate(list(columns.values()), axis=1), slices, mesh.faces)
+
+
+def _unexplained(skin: Skin, columns: Columns) -> FloatArray:
+    """Length (V, 3) that the mesh's normals lost to folds, where the map is flat."""
+    normals = columns["normal"]
+    _, total = directional_curvature(columns["tensor"], normals, normals)
+    flat = np.repeat(normals[:, None], 3, axis=1)
+    return unexplained_length(skin.transfer, flat, columns["diffused"].reshape(-1, 3, 3), total)

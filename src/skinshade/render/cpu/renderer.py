@@ -217,6 +217,7 @@ class CpuRenderer(Renderer):
             tensor_world=columns["tensor"],
             diffused_normals=columns["diffused"].reshape(-1, 3, 3) / length[:, None, None],
             diffused_curvature_per_mm=columns["diffused_curvature"],
+            unexplained=columns["unexplained"],
         )
 
     def _fetched_normals(

@@ -46,7 +46,7 @@ class ShadowMap:
     seen
         How the light sees the body.
     first
-        (S, S) the nearest surface; infinite where there is none.
+        (S, S) the nearest surface; infinite where there is none, and in the outermost texels.
     occluders
         (S, S) what shadows: the nearest surface that faces away, or `first` and `ATTACHED_MM` more.
     """
@@ -196,11 +196,10 @@ def _compared(depths: FloatArray, x: FloatArray, y: FloatArray, depth: FloatArra
 
 
 def _texel(depths: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
-    """Nothing lies outside a map: it holds the whole body."""
+    """What lies outside a map is what its outermost texels see: nothing."""
     last = MAP_SIZE - 1
-    inside = (x >= 0) & (x <= last) & (y >= 0) & (y <= last)
     at = np.clip(y, 0, last).astype(np.int64) * MAP_SIZE + np.clip(x, 0, last).astype(np.int64)
-    return np.where(inside, depths.ravel()[at], np.inf)
+    return depths.ravel()[at]
 
 
 def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
@@ -209,6 +208,11 @@ def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
     seen = mesh.positions_mm @ view.view[:3, :3].T + view.view[:3, 3]
     clip = seen @ view.projection[:, :3].T + view.projection[:, 3]
     first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
+    rim = np.ones(first.shape, dtype=bool)
+    rim[1:-1, 1:-1] = (
+        False  # a directional light's map is wider than the body, a lamp's than its cone
+    )
+    first[rim] = away[rim] = np.inf
     return ShadowMap(view, first, np.minimum(away, first + ATTACHED_MM))
 
 

@@ -12,10 +12,10 @@ __all__ = ["open_program"]
 UNFILTERED = {
     "shadow_pass": (),
     "blur_pass": ("source",),
-    "skin_pass": ("depths", "moments"),
+    "skin_pass": ("depths", "moments", "depth_sampler"),
     "present_pass": ("light_texels", "sum_texels", "sky_texels"),
 }
-"""Textures whose format no device need filter."""
+"""Textures whose format no device need filter, and their samplers."""
 
 
 def open_program(device: wgpu.GPUDevice, name: str) -> Program:

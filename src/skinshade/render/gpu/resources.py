@@ -20,7 +20,7 @@ __all__ = ["ATTRIBUTES", "Resources", "luts_of"]
 
 Key = tuple[int | str, ...]
 
-ATTRIBUTES = 10
+ATTRIBUTES = 11
 """Vectors of four a vertex, in the order of `COLUMNS`."""
 COLUMNS = {
     "position": 3,
@@ -34,6 +34,7 @@ COLUMNS = {
     "visibility": 3,
     "through": 3,
     "bounced": 3,
+    "unexplained": 3,
 }
 """Numbers of each; what the scene has none of stays 0."""
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import wgpu
 
+from ...scene import SpotLight
 from ..renderer import DEBUG_VIEWS, SHADINGS, SHADOW_FILTERS, TIERS, RenderSettings
 from .programs import open_program
 from .resources import ATTRIBUTES, Resources, luts_of
@@ -37,7 +38,7 @@ class SkinPass:
     def depth_pipeline(self, samples: int) -> wgpu.GPURenderPipeline:
         """Return what draws depth alone."""
         return self._program.pipeline(
-            {}, targets=[], vertex_floats=4 * ATTRIBUTES, depth="less", samples=samples
+            {"SHADING": 0}, targets=[], vertex_floats=4 * ATTRIBUTES, depth="less", samples=samples
         )
 
     def pipeline(self, way: RenderSettings, target: str, samples: int) -> wgpu.GPURenderPipeline:
@@ -57,6 +58,7 @@ class SkinPass:
             "FETCHES": way.normal_fetches if mapped else 1,
             "MULTISAMPLED": int(samples > 1),
             "MAPS": sum(MAPS[name] for name in there),
+            "LAMPS": int(any(isinstance(light, SpotLight) for light in scene.lights)),
         }
         return self._program.pipeline(
             constants,
@@ -102,5 +104,6 @@ class SkinPass:
             "lut_sampler": device.create_sampler(**linear),
             "map_sampler": device.create_sampler(**mips, **repeat),
             "footprint_sampler": device.create_sampler(**mips, **repeat, max_anisotropy=ANISOTROPY),
+            "depth_sampler": device.create_sampler(),
             "sky_sampler": device.create_sampler(**linear, address_mode_u="repeat"),
         }

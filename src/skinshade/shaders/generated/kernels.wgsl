@@ -127,8 +127,9 @@ fn run_add_mesh_diffusion(@builtin(global_invocation_id) thread_3 : vec3<u32>)
 fn skin_relief_bump_0( m_0 : f32,  s_0 : f32) -> f32
 {
     var _S7 : f32 = max(s_0, 9.99999971718068537e-10f);
-    var _S8 : f32 = min(abs(m_0) / _S7, 8.0f);
-    return _S7 * (0.39894229173660278f * exp(-0.5f * _S8 * _S8)) / (1.0f + _S8 * (1.25119507312774658f + _S8 * (0.58454132080078125f + _S8 * 0.06752368807792664f)));
+    var _S8 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S7), 0.0f);
+    var t2_0 : f32 = _S8 * _S8;
+    return _S7 * t2_0 * t2_0 * (0.16452799737453461f + _S8 * (-1.55506408214569092f + _S8 * (7.10253477096557617f + _S8 * (-16.75164794921875f + _S8 * (22.75126266479492188f + _S8 * (-15.08054447174072266f + _S8 * 3.76787090301513672f))))));
 }
 
 @compute
@@ -148,7 +149,7 @@ fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
 
 fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_0 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
 {
-    return clamp(vec3<f32>(dot(normals_1[i32(0)], light_0), dot(normals_1[i32(1)], light_0), dot(normals_1[i32(2)], light_0)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
+    return clamp(vec3<f32>(dot(normals_1[i32(0)], light_0), dot(normals_1[i32(1)], light_0), dot(normals_1[i32(2)], light_0)) / lengths_0, vec3<f32>(-1.0f), vec3<f32>(1.0f));
 }
 
 fn skin_curvature_table_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_0 : f32) -> vec3<f32>
@@ -161,10 +162,8 @@ fn skin_curvature_table_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  l
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S12 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S12));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S12));
-    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_0.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_0.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_0.z * sine_0.z));
+    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))) * (vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1), vec3<f32>(0.0f)));
+    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_0.z));
 }
 
 fn skin_direct_scalar_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_1 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
@@ -178,13 +177,13 @@ fn skin_direct_scalar_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut
 @workgroup_size(64, 1, 1)
 fn run_direct_scalar(@builtin(global_invocation_id) thread_5 : vec3<u32>)
 {
-    var _S13 : u32 = thread_5.x;
-    var at_5 : u32 = _S13 * u32(20);
+    var _S12 : u32 = thread_5.x;
+    var at_5 : u32 = _S12 * u32(20);
     var result_2 : vec3<f32> = skin_direct_scalar_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_5], inputs_0[at_5 + u32(1)], inputs_0[at_5 + u32(2)], inputs_0[at_5 + u32(3)]), mat3x3<f32>(inputs_0[at_5 + u32(4)], inputs_0[at_5 + u32(5)], inputs_0[at_5 + u32(6)], inputs_0[at_5 + u32(7)], inputs_0[at_5 + u32(8)], inputs_0[at_5 + u32(9)], inputs_0[at_5 + u32(10)], inputs_0[at_5 + u32(11)], inputs_0[at_5 + u32(12)]), vec3<f32>(inputs_0[at_5 + u32(13)], inputs_0[at_5 + u32(14)], inputs_0[at_5 + u32(15)]), inputs_0[at_5 + u32(16)], vec3<f32>(inputs_0[at_5 + u32(17)], inputs_0[at_5 + u32(18)], inputs_0[at_5 + u32(19)]));
-    var _S14 : u32 = _S13 * u32(3);
-    outputs_0[_S14] = result_2[i32(0)];
-    outputs_0[_S14 + u32(1)] = result_2[i32(1)];
-    outputs_0[_S14 + u32(2)] = result_2[i32(2)];
+    var _S13 : u32 = _S12 * u32(3);
+    outputs_0[_S13] = result_2[i32(0)];
+    outputs_0[_S13 + u32(1)] = result_2[i32(1)];
+    outputs_0[_S13 + u32(2)] = result_2[i32(2)];
     return;
 }
 
@@ -204,13 +203,13 @@ fn skin_direct_tensor_0( lut_3 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut
 @workgroup_size(64, 1, 1)
 fn run_direct_tensor(@builtin(global_invocation_id) thread_6 : vec3<u32>)
 {
-    var _S15 : u32 = thread_6.x;
-    var at_6 : u32 = _S15 * u32(25);
+    var _S14 : u32 = thread_6.x;
+    var at_6 : u32 = _S14 * u32(25);
     var result_3 : vec3<f32> = skin_direct_tensor_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_6], inputs_0[at_6 + u32(1)], inputs_0[at_6 + u32(2)], inputs_0[at_6 + u32(3)]), transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[at_6 + u32(4)], inputs_0[at_6 + u32(5)], inputs_0[at_6 + u32(6)], inputs_0[at_6 + u32(7)]), mat3x3<f32>(inputs_0[at_6 + u32(8)], inputs_0[at_6 + u32(9)], inputs_0[at_6 + u32(10)], inputs_0[at_6 + u32(11)], inputs_0[at_6 + u32(12)], inputs_0[at_6 + u32(13)], inputs_0[at_6 + u32(14)], inputs_0[at_6 + u32(15)], inputs_0[at_6 + u32(16)]), vec3<f32>(inputs_0[at_6 + u32(17)], inputs_0[at_6 + u32(18)], inputs_0[at_6 + u32(19)]), inputs_0[at_6 + u32(20)], inputs_0[at_6 + u32(21)], vec3<f32>(inputs_0[at_6 + u32(22)], inputs_0[at_6 + u32(23)], inputs_0[at_6 + u32(24)]));
-    var _S16 : u32 = _S15 * u32(3);
-    outputs_0[_S16] = result_3[i32(0)];
-    outputs_0[_S16 + u32(1)] = result_3[i32(1)];
-    outputs_0[_S16 + u32(2)] = result_3[i32(2)];
+    var _S15 : u32 = _S14 * u32(3);
+    outputs_0[_S15] = result_3[i32(0)];
+    outputs_0[_S15 + u32(1)] = result_3[i32(1)];
+    outputs_0[_S15 + u32(2)] = result_3[i32(2)];
     return;
 }
 
@@ -225,13 +224,13 @@ fn skin_direct_diffused_normals_0( lut_4 : texture_2d<f32>,  lut_sampler_4 : sam
 @workgroup_size(64, 1, 1)
 fn run_direct_diffused_normals(@builtin(global_invocation_id) thread_7 : vec3<u32>)
 {
-    var _S17 : u32 = thread_7.x;
-    var at_7 : u32 = _S17 * u32(27);
+    var _S16 : u32 = thread_7.x;
+    var at_7 : u32 = _S16 * u32(27);
     var result_4 : vec3<f32> = skin_direct_diffused_normals_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_7], inputs_0[at_7 + u32(1)], inputs_0[at_7 + u32(2)], inputs_0[at_7 + u32(3)]), transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[at_7 + u32(4)], inputs_0[at_7 + u32(5)], inputs_0[at_7 + u32(6)], inputs_0[at_7 + u32(7)]), mat3x3<f32>(inputs_0[at_7 + u32(8)], inputs_0[at_7 + u32(9)], inputs_0[at_7 + u32(10)], inputs_0[at_7 + u32(11)], inputs_0[at_7 + u32(12)], inputs_0[at_7 + u32(13)], inputs_0[at_7 + u32(14)], inputs_0[at_7 + u32(15)], inputs_0[at_7 + u32(16)]), vec3<f32>(inputs_0[at_7 + u32(17)], inputs_0[at_7 + u32(18)], inputs_0[at_7 + u32(19)]), vec3<f32>(inputs_0[at_7 + u32(20)], inputs_0[at_7 + u32(21)], inputs_0[at_7 + u32(22)]), inputs_0[at_7 + u32(23)], vec3<f32>(inputs_0[at_7 + u32(24)], inputs_0[at_7 + u32(25)], inputs_0[at_7 + u32(26)]));
-    var _S18 : u32 = _S17 * u32(3);
-    outputs_0[_S18] = result_4[i32(0)];
-    outputs_0[_S18 + u32(1)] = result_4[i32(1)];
-    outputs_0[_S18 + u32(2)] = result_4[i32(2)];
+    var _S17 : u32 = _S16 * u32(3);
+    outputs_0[_S17] = result_4[i32(0)];
+    outputs_0[_S17 + u32(1)] = result_4[i32(1)];
+    outputs_0[_S17 + u32(2)] = result_4[i32(2)];
     return;
 }
 
@@ -244,13 +243,13 @@ fn skin_unexplained_length_0( transfer_4 : texture_2d<f32>,  transfer_sampler_4 
 @workgroup_size(64, 1, 1)
 fn run_unexplained_length(@builtin(global_invocation_id) thread_8 : vec3<u32>)
 {
-    var _S19 : u32 = thread_8.x;
-    var at_8 : u32 = _S19 * u32(23);
+    var _S18 : u32 = thread_8.x;
+    var at_8 : u32 = _S18 * u32(23);
     var result_5 : vec3<f32> = skin_unexplained_length_0(transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[at_8], inputs_0[at_8 + u32(1)], inputs_0[at_8 + u32(2)], inputs_0[at_8 + u32(3)]), mat3x3<f32>(inputs_0[at_8 + u32(4)], inputs_0[at_8 + u32(5)], inputs_0[at_8 + u32(6)], inputs_0[at_8 + u32(7)], inputs_0[at_8 + u32(8)], inputs_0[at_8 + u32(9)], inputs_0[at_8 + u32(10)], inputs_0[at_8 + u32(11)], inputs_0[at_8 + u32(12)]), mat3x3<f32>(inputs_0[at_8 + u32(13)], inputs_0[at_8 + u32(14)], inputs_0[at_8 + u32(15)], inputs_0[at_8 + u32(16)], inputs_0[at_8 + u32(17)], inputs_0[at_8 + u32(18)], inputs_0[at_8 + u32(19)], inputs_0[at_8 + u32(20)], inputs_0[at_8 + u32(21)]), inputs_0[at_8 + u32(22)]);
-    var _S20 : u32 = _S19 * u32(3);
-    outputs_0[_S20] = result_5[i32(0)];
-    outputs_0[_S20 + u32(1)] = result_5[i32(1)];
-    outputs_0[_S20 + u32(2)] = result_5[i32(2)];
+    var _S19 : u32 = _S18 * u32(3);
+    outputs_0[_S19] = result_5[i32(0)];
+    outputs_0[_S19 + u32(1)] = result_5[i32(1)];
+    outputs_0[_S19 + u32(2)] = result_5[i32(2)];
     return;
 }
 
@@ -266,35 +265,34 @@ fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_0 : vec3<
 @workgroup_size(64, 1, 1)
 fn run_directional_curvature(@builtin(global_invocation_id) thread_9 : vec3<u32>)
 {
-    var _S21 : u32 = thread_9.x;
-    var at_9 : u32 = _S21 * u32(15);
+    var _S20 : u32 = thread_9.x;
+    var at_9 : u32 = _S20 * u32(15);
     var result_6 : vec2<f32> = skin_directional_curvature_0(mat3x3<f32>(inputs_0[at_9], inputs_0[at_9 + u32(1)], inputs_0[at_9 + u32(2)], inputs_0[at_9 + u32(3)], inputs_0[at_9 + u32(4)], inputs_0[at_9 + u32(5)], inputs_0[at_9 + u32(6)], inputs_0[at_9 + u32(7)], inputs_0[at_9 + u32(8)]), vec3<f32>(inputs_0[at_9 + u32(9)], inputs_0[at_9 + u32(10)], inputs_0[at_9 + u32(11)]), vec3<f32>(inputs_0[at_9 + u32(12)], inputs_0[at_9 + u32(13)], inputs_0[at_9 + u32(14)]));
-    var _S22 : u32 = _S21 * u32(2);
-    outputs_0[_S22] = result_6[i32(0)];
-    outputs_0[_S22 + u32(1)] = result_6[i32(1)];
+    var _S21 : u32 = _S20 * u32(2);
+    outputs_0[_S21] = result_6[i32(0)];
+    outputs_0[_S21 + u32(1)] = result_6[i32(1)];
     return;
 }
 
 fn skin_energy_gain_0( albedo_0 : vec3<f32>,  rms_radius_mm_0 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
 {
-    var _S23 : vec3<f32> = vec3<f32>(1.0f);
-    var absorbed_0 : vec3<f32> = _S23 - albedo_0;
-    var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm_0 * max(curvature_per_mm_2, vec3<f32>(0.0f));
-    var bound_0 : vec3<f32> = u_0 * albedo_0 / absorbed_0;
-    return _S23 + u_0 / sqrt(_S23 + bound_0 * bound_0);
+    var bent_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * rms_radius_mm_0 * max(curvature_per_mm_2, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = albedo_0 * bent_0;
+    var _S22 : vec3<f32> = vec3<f32>(1.0f);
+    return _S22 + (_S22 - albedo_0) * bent_0 / sqrt(_S22 + bound_0 * bound_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_energy_gain(@builtin(global_invocation_id) thread_10 : vec3<u32>)
 {
-    var _S24 : u32 = thread_10.x;
-    var at_10 : u32 = _S24 * u32(9);
+    var _S23 : u32 = thread_10.x;
+    var at_10 : u32 = _S23 * u32(9);
     var result_7 : vec3<f32> = skin_energy_gain_0(vec3<f32>(inputs_0[at_10], inputs_0[at_10 + u32(1)], inputs_0[at_10 + u32(2)]), vec3<f32>(inputs_0[at_10 + u32(3)], inputs_0[at_10 + u32(4)], inputs_0[at_10 + u32(5)]), vec3<f32>(inputs_0[at_10 + u32(6)], inputs_0[at_10 + u32(7)], inputs_0[at_10 + u32(8)]));
-    var _S25 : u32 = _S24 * u32(3);
-    outputs_0[_S25] = result_7[i32(0)];
-    outputs_0[_S25 + u32(1)] = result_7[i32(1)];
-    outputs_0[_S25 + u32(2)] = result_7[i32(2)];
+    var _S24 : u32 = _S23 * u32(3);
+    outputs_0[_S24] = result_7[i32(0)];
+    outputs_0[_S24 + u32(1)] = result_7[i32(1)];
+    outputs_0[_S24 + u32(2)] = result_7[i32(2)];
     return;
 }
 
@@ -308,8 +306,8 @@ fn skin_smoothstep_0( p_0 : f32) -> f32
 @workgroup_size(64, 1, 1)
 fn run_smoothstep(@builtin(global_invocation_id) thread_11 : vec3<u32>)
 {
-    var _S26 : u32 = thread_11.x;
-    outputs_0[_S26] = skin_smoothstep_0(inputs_0[_S26]);
+    var _S25 : u32 = thread_11.x;
+    outputs_0[_S25] = skin_smoothstep_0(inputs_0[_S25]);
     return;
 }
 
@@ -322,13 +320,13 @@ fn skin_diffused_shadow_0( lut_5 : texture_2d<f32>,  lut_sampler_5 : sampler,  l
 @workgroup_size(64, 1, 1)
 fn run_diffused_shadow(@builtin(global_invocation_id) thread_12 : vec3<u32>)
 {
-    var _S27 : u32 = thread_12.x;
-    var at_11 : u32 = _S27 * u32(7);
+    var _S26 : u32 = thread_12.x;
+    var at_11 : u32 = _S26 * u32(7);
     var result_8 : vec3<f32> = skin_diffused_shadow_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_11], inputs_0[at_11 + u32(1)], inputs_0[at_11 + u32(2)], inputs_0[at_11 + u32(3)]), inputs_0[at_11 + u32(4)], inputs_0[at_11 + u32(5)], inputs_0[at_11 + u32(6)]);
-    var _S28 : u32 = _S27 * u32(3);
-    outputs_0[_S28] = result_8[i32(0)];
-    outputs_0[_S28 + u32(1)] = result_8[i32(1)];
-    outputs_0[_S28 + u32(2)] = result_8[i32(2)];
+    var _S27 : u32 = _S26 * u32(3);
+    outputs_0[_S27] = result_8[i32(0)];
+    outputs_0[_S27 + u32(1)] = result_8[i32(1)];
+    outputs_0[_S27 + u32(2)] = result_8[i32(2)];
     return;
 }
 
@@ -341,41 +339,40 @@ fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
 @workgroup_size(64, 1, 1)
 fn run_sharpened_shadow(@builtin(global_invocation_id) thread_13 : vec3<u32>)
 {
-    var _S29 : u32 = thread_13.x;
-    var at_12 : u32 = _S29 * u32(2);
-    outputs_0[_S29] = skin_sharpened_shadow_0(inputs_0[at_12], inputs_0[at_12 + u32(1)]);
+    var _S28 : u32 = thread_13.x;
+    var at_12 : u32 = _S28 * u32(2);
+    outputs_0[_S28] = skin_sharpened_shadow_0(inputs_0[at_12], inputs_0[at_12 + u32(1)]);
     return;
 }
 
 fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_0 : f32) -> f32
 {
-    var _S30 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
-    var _S31 : f32 = max(depth_mm_0 - mean_depth_mm_0, 0.0f);
-    return _S30 / (_S30 + _S31 * _S31);
+    var _S29 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S30 : f32 = max(depth_mm_0 - mean_depth_mm_0, 0.0f);
+    return _S29 / (_S29 + _S30 * _S30);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_variance_shadow(@builtin(global_invocation_id) thread_14 : vec3<u32>)
 {
-    var _S32 : u32 = thread_14.x;
-    var at_13 : u32 = _S32 * u32(3);
-    outputs_0[_S32] = skin_variance_shadow_0(inputs_0[at_13], inputs_0[at_13 + u32(1)], inputs_0[at_13 + u32(2)]);
+    var _S31 : u32 = thread_14.x;
+    var at_13 : u32 = _S31 * u32(3);
+    outputs_0[_S31] = skin_variance_shadow_0(inputs_0[at_13], inputs_0[at_13 + u32(1)], inputs_0[at_13 + u32(2)]);
     return;
 }
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S33 : f32 = d_0.y;
-    var _S34 : f32 = d_0.z;
-    var _S35 : f32 = d_0.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S33 + sh_0[i32(0)].z * _S34 + sh_0[i32(1)].x * _S35), 1.09254848957061768f * (sh_0[i32(1)].y * _S35 * _S33 + sh_0[i32(1)].z * _S33 * _S34 + sh_0[i32(2)].y * _S35 * _S34) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S34 * _S34 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S35 * _S35 - _S33 * _S33));
+    var _S32 : f32 = d_0.y;
+    var _S33 : f32 = d_0.z;
+    var _S34 : f32 = d_0.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S32 + sh_0[i32(0)].z * _S33 + sh_0[i32(1)].x * _S34), 1.09254848957061768f * (sh_0[i32(1)].y * _S34 * _S32 + sh_0[i32(1)].z * _S32 * _S33 + sh_0[i32(2)].y * _S34 * _S33) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S33 * _S33 - dot(d_0, d_0)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S34 * _S34 - _S32 * _S32));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_1 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
 {
-    var l_0 : f32 = skin_safe_length_0(normal_1);
-    return max(dot(skin_sh_bands_0(sh_1, normal_1 / vec3<f32>(l_0)), vec3<f32>(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    return max(dot(skin_sh_bands_0(sh_1, normal_1), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_1)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_5 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
@@ -388,13 +385,13 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 @workgroup_size(64, 1, 1)
 fn run_ambient_irradiance(@builtin(global_invocation_id) thread_15 : vec3<u32>)
 {
-    var _S36 : u32 = thread_15.x;
-    var at_14 : u32 = _S36 * u32(45);
+    var _S35 : u32 = thread_15.x;
+    var at_14 : u32 = _S35 * u32(45);
     var result_9 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[at_14], inputs_0[at_14 + u32(1)], inputs_0[at_14 + u32(2)], inputs_0[at_14 + u32(3)], inputs_0[at_14 + u32(4)], inputs_0[at_14 + u32(5)], inputs_0[at_14 + u32(6)], inputs_0[at_14 + u32(7)], inputs_0[at_14 + u32(8)]), mat3x3<f32>(inputs_0[at_14 + u32(9)], inputs_0[at_14 + u32(10)], inputs_0[at_14 + u32(11)], inputs_0[at_14 + u32(12)], inputs_0[at_14 + u32(13)], inputs_0[at_14 + u32(14)], inputs_0[at_14 + u32(15)], inputs_0[at_14 + u32(16)], inputs_0[at_14 + u32(17)]), mat3x3<f32>(inputs_0[at_14 + u32(18)], inputs_0[at_14 + u32(19)], inputs_0[at_14 + u32(20)], inputs_0[at_14 + u32(21)], inputs_0[at_14 + u32(22)], inputs_0[at_14 + u32(23)], inputs_0[at_14 + u32(24)], inputs_0[at_14 + u32(25)], inputs_0[at_14 + u32(26)]), mat3x3<f32>(inputs_0[at_14 + u32(27)], inputs_0[at_14 + u32(28)], inputs_0[at_14 + u32(29)], inputs_0[at_14 + u32(30)], inputs_0[at_14 + u32(31)], inputs_0[at_14 + u32(32)], inputs_0[at_14 + u32(33)], inputs_0[at_14 + u32(34)], inputs_0[at_14 + u32(35)]), mat3x3<f32>(inputs_0[at_14 + u32(36)], inputs_0[at_14 + u32(37)], inputs_0[at_14 + u32(38)], inputs_0[at_14 + u32(39)], inputs_0[at_14 + u32(40)], inputs_0[at_14 + u32(41)], inputs_0[at_14 + u32(42)], inputs_0[at_14 + u32(43)], inputs_0[at_14 + u32(44)]));
-    var _S37 : u32 = _S36 * u32(3);
-    outputs_0[_S37] = result_9[i32(0)];
-    outputs_0[_S37 + u32(1)] = result_9[i32(1)];
-    outputs_0[_S37 + u32(2)] = result_9[i32(2)];
+    var _S36 : u32 = _S35 * u32(3);
+    outputs_0[_S36] = result_9[i32(0)];
+    outputs_0[_S36 + u32(1)] = result_9[i32(1)];
+    outputs_0[_S36 + u32(2)] = result_9[i32(2)];
     return;
 }
 
@@ -413,24 +410,24 @@ fn skin_ambient_normals_0( normals_6 : mat3x3<f32>) -> mat3x3<f32>
 fn run_ambient_normals(@builtin(global_invocation_id) thread_16 : vec3<u32>)
 {
     var at_15 : u32 = thread_16.x * u32(9);
-    var _S38 : u32 = at_15 + u32(1);
-    var _S39 : u32 = at_15 + u32(2);
-    var _S40 : u32 = at_15 + u32(3);
-    var _S41 : u32 = at_15 + u32(4);
-    var _S42 : u32 = at_15 + u32(5);
-    var _S43 : u32 = at_15 + u32(6);
-    var _S44 : u32 = at_15 + u32(7);
-    var _S45 : u32 = at_15 + u32(8);
-    var result_10 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[at_15], inputs_0[_S38], inputs_0[_S39], inputs_0[_S40], inputs_0[_S41], inputs_0[_S42], inputs_0[_S43], inputs_0[_S44], inputs_0[_S45]));
+    var _S37 : u32 = at_15 + u32(1);
+    var _S38 : u32 = at_15 + u32(2);
+    var _S39 : u32 = at_15 + u32(3);
+    var _S40 : u32 = at_15 + u32(4);
+    var _S41 : u32 = at_15 + u32(5);
+    var _S42 : u32 = at_15 + u32(6);
+    var _S43 : u32 = at_15 + u32(7);
+    var _S44 : u32 = at_15 + u32(8);
+    var result_10 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[at_15], inputs_0[_S37], inputs_0[_S38], inputs_0[_S39], inputs_0[_S40], inputs_0[_S41], inputs_0[_S42], inputs_0[_S43], inputs_0[_S44]));
     outputs_0[at_15] = result_10[i32(0)][i32(0)];
-    outputs_0[_S38] = result_10[i32(0)][i32(1)];
-    outputs_0[_S39] = result_10[i32(0)][i32(2)];
-    outputs_0[_S40] = result_10[i32(1)][i32(0)];
-    outputs_0[_S41] = result_10[i32(1)][i32(1)];
-    outputs_0[_S42] = result_10[i32(1)][i32(2)];
-    outputs_0[_S43] = result_10[i32(2)][i32(0)];
-    outputs_0[_S44] = result_10[i32(2)][i32(1)];
-    outputs_0[_S45] = result_10[i32(2)][i32(2)];
+    outputs_0[_S37] = result_10[i32(0)][i32(1)];
+    outputs_0[_S38] = result_10[i32(0)][i32(2)];
+    outputs_0[_S39] = result_10[i32(1)][i32(0)];
+    outputs_0[_S40] = result_10[i32(1)][i32(1)];
+    outputs_0[_S41] = result_10[i32(1)][i32(2)];
+    outputs_0[_S42] = result_10[i32(2)][i32(0)];
+    outputs_0[_S43] = result_10[i32(2)][i32(1)];
+    outputs_0[_S44] = result_10[i32(2)][i32(2)];
     return;
 }
 
@@ -443,13 +440,13 @@ fn skin_ambient_of_three_0( red_0 : vec3<f32>,  green_0 : vec3<f32>,  blue_0 : v
 @workgroup_size(64, 1, 1)
 fn run_ambient_of_three(@builtin(global_invocation_id) thread_17 : vec3<u32>)
 {
-    var _S46 : u32 = thread_17.x;
-    var at_16 : u32 = _S46 * u32(9);
+    var _S45 : u32 = thread_17.x;
+    var at_16 : u32 = _S45 * u32(9);
     var result_11 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[at_16], inputs_0[at_16 + u32(1)], inputs_0[at_16 + u32(2)]), vec3<f32>(inputs_0[at_16 + u32(3)], inputs_0[at_16 + u32(4)], inputs_0[at_16 + u32(5)]), vec3<f32>(inputs_0[at_16 + u32(6)], inputs_0[at_16 + u32(7)], inputs_0[at_16 + u32(8)]));
-    var _S47 : u32 = _S46 * u32(3);
-    outputs_0[_S47] = result_11[i32(0)];
-    outputs_0[_S47 + u32(1)] = result_11[i32(1)];
-    outputs_0[_S47 + u32(2)] = result_11[i32(2)];
+    var _S46 : u32 = _S45 * u32(3);
+    outputs_0[_S46] = result_11[i32(0)];
+    outputs_0[_S46 + u32(1)] = result_11[i32(1)];
+    outputs_0[_S46 + u32(2)] = result_11[i32(2)];
     return;
 }
 
@@ -462,13 +459,13 @@ fn skin_bounced_visibility_0( visibility_0 : vec3<f32>,  albedo_1 : vec3<f32>) -
 @workgroup_size(64, 1, 1)
 fn run_bounced_visibility(@builtin(global_invocation_id) thread_18 : vec3<u32>)
 {
-    var _S48 : u32 = thread_18.x;
-    var at_17 : u32 = _S48 * u32(6);
+    var _S47 : u32 = thread_18.x;
+    var at_17 : u32 = _S47 * u32(6);
     var result_12 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[at_17], inputs_0[at_17 + u32(1)], inputs_0[at_17 + u32(2)]), vec3<f32>(inputs_0[at_17 + u32(3)], inputs_0[at_17 + u32(4)], inputs_0[at_17 + u32(5)]));
-    var _S49 : u32 = _S48 * u32(3);
-    outputs_0[_S49] = result_12[i32(0)];
-    outputs_0[_S49 + u32(1)] = result_12[i32(1)];
-    outputs_0[_S49 + u32(2)] = result_12[i32(2)];
+    var _S48 : u32 = _S47 * u32(3);
+    outputs_0[_S48] = result_12[i32(0)];
+    outputs_0[_S48 + u32(1)] = result_12[i32(1)];
+    outputs_0[_S48 + u32(2)] = result_12[i32(2)];
     return;
 }
 
@@ -492,9 +489,9 @@ fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_
 @workgroup_size(64, 1, 1)
 fn run_specular_visibility(@builtin(global_invocation_id) thread_19 : vec3<u32>)
 {
-    var _S50 : u32 = thread_19.x;
-    var at_18 : u32 = _S50 * u32(3);
-    outputs_0[_S50] = skin_specular_visibility_0(inputs_0[at_18], inputs_0[at_18 + u32(1)], inputs_0[at_18 + u32(2)]);
+    var _S49 : u32 = thread_19.x;
+    var at_18 : u32 = _S49 * u32(3);
+    outputs_0[_S49] = skin_specular_visibility_0(inputs_0[at_18], inputs_0[at_18 + u32(1)], inputs_0[at_18 + u32(2)]);
     return;
 }
 
@@ -507,9 +504,9 @@ fn skin_linear_depth_0( depth_0 : f32,  projection_0 : mat4x4<f32>) -> f32
 @workgroup_size(64, 1, 1)
 fn run_linear_depth(@builtin(global_invocation_id) thread_20 : vec3<u32>)
 {
-    var _S51 : u32 = thread_20.x;
-    var at_19 : u32 = _S51 * u32(17);
-    outputs_0[_S51] = skin_linear_depth_0(inputs_0[at_19], mat4x4<f32>(inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)], inputs_0[at_19 + u32(3)], inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)], inputs_0[at_19 + u32(6)], inputs_0[at_19 + u32(7)], inputs_0[at_19 + u32(8)], inputs_0[at_19 + u32(9)], inputs_0[at_19 + u32(10)], inputs_0[at_19 + u32(11)], inputs_0[at_19 + u32(12)], inputs_0[at_19 + u32(13)], inputs_0[at_19 + u32(14)], inputs_0[at_19 + u32(15)], inputs_0[at_19 + u32(16)]));
+    var _S50 : u32 = thread_20.x;
+    var at_19 : u32 = _S50 * u32(17);
+    outputs_0[_S50] = skin_linear_depth_0(inputs_0[at_19], mat4x4<f32>(inputs_0[at_19 + u32(1)], inputs_0[at_19 + u32(2)], inputs_0[at_19 + u32(3)], inputs_0[at_19 + u32(4)], inputs_0[at_19 + u32(5)], inputs_0[at_19 + u32(6)], inputs_0[at_19 + u32(7)], inputs_0[at_19 + u32(8)], inputs_0[at_19 + u32(9)], inputs_0[at_19 + u32(10)], inputs_0[at_19 + u32(11)], inputs_0[at_19 + u32(12)], inputs_0[at_19 + u32(13)], inputs_0[at_19 + u32(14)], inputs_0[at_19 + u32(15)], inputs_0[at_19 + u32(16)]));
     return;
 }
 
@@ -522,13 +519,13 @@ fn skin_inward_offset_0( position_mm_0 : vec3<f32>,  normal_2 : vec3<f32>,  offs
 @workgroup_size(64, 1, 1)
 fn run_inward_offset(@builtin(global_invocation_id) thread_21 : vec3<u32>)
 {
-    var _S52 : u32 = thread_21.x;
-    var at_20 : u32 = _S52 * u32(7);
+    var _S51 : u32 = thread_21.x;
+    var at_20 : u32 = _S51 * u32(7);
     var result_13 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[at_20], inputs_0[at_20 + u32(1)], inputs_0[at_20 + u32(2)]), vec3<f32>(inputs_0[at_20 + u32(3)], inputs_0[at_20 + u32(4)], inputs_0[at_20 + u32(5)]), inputs_0[at_20 + u32(6)]);
-    var _S53 : u32 = _S52 * u32(3);
-    outputs_0[_S53] = result_13[i32(0)];
-    outputs_0[_S53 + u32(1)] = result_13[i32(1)];
-    outputs_0[_S53 + u32(2)] = result_13[i32(2)];
+    var _S52 : u32 = _S51 * u32(3);
+    outputs_0[_S52] = result_13[i32(0)];
+    outputs_0[_S52 + u32(1)] = result_13[i32(1)];
+    outputs_0[_S52 + u32(2)] = result_13[i32(2)];
     return;
 }
 
@@ -565,35 +562,31 @@ fn skin_thickness_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : sampl
 @workgroup_size(64, 1, 1)
 fn run_thickness(@builtin(global_invocation_id) thread_22 : vec3<u32>)
 {
-    var _S54 : u32 = thread_22.x;
-    var at_21 : u32 = _S54 * u32(22);
-    outputs_0[_S54] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[at_21], inputs_0[at_21 + u32(1)], inputs_0[at_21 + u32(2)], inputs_0[at_21 + u32(3)], inputs_0[at_21 + u32(4)], inputs_0[at_21 + u32(5)], inputs_0[at_21 + u32(6)], inputs_0[at_21 + u32(7)], inputs_0[at_21 + u32(8)], inputs_0[at_21 + u32(9)], inputs_0[at_21 + u32(10)], inputs_0[at_21 + u32(11)], inputs_0[at_21 + u32(12)], inputs_0[at_21 + u32(13)], inputs_0[at_21 + u32(14)], inputs_0[at_21 + u32(15)]), vec2<f32>(inputs_0[at_21 + u32(16)], inputs_0[at_21 + u32(17)]), inputs_0[at_21 + u32(18)], vec2<f32>(inputs_0[at_21 + u32(19)], inputs_0[at_21 + u32(20)]), i32(inputs_0[at_21 + u32(21)]));
+    var _S53 : u32 = thread_22.x;
+    var at_21 : u32 = _S53 * u32(22);
+    outputs_0[_S53] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[at_21], inputs_0[at_21 + u32(1)], inputs_0[at_21 + u32(2)], inputs_0[at_21 + u32(3)], inputs_0[at_21 + u32(4)], inputs_0[at_21 + u32(5)], inputs_0[at_21 + u32(6)], inputs_0[at_21 + u32(7)], inputs_0[at_21 + u32(8)], inputs_0[at_21 + u32(9)], inputs_0[at_21 + u32(10)], inputs_0[at_21 + u32(11)], inputs_0[at_21 + u32(12)], inputs_0[at_21 + u32(13)], inputs_0[at_21 + u32(14)], inputs_0[at_21 + u32(15)]), vec2<f32>(inputs_0[at_21 + u32(16)], inputs_0[at_21 + u32(17)]), inputs_0[at_21 + u32(18)], vec2<f32>(inputs_0[at_21 + u32(19)], inputs_0[at_21 + u32(20)]), i32(inputs_0[at_21 + u32(21)]));
     return;
 }
 
 fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_2 * albedo_2;
-    var _S55 : vec3<f32> = vec3<f32>(1.0f);
-    var _S56 : vec3<f32> = vec3<f32>(2.0f);
-    var _S57 : vec3<f32> = _S56 * albedo_2;
-    var a_0 : vec3<f32> = (_S55 + a2_0) / _S57;
-    var b_0 : vec3<f32> = (_S55 - a2_0) / _S57;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
-    return _S56 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    var _S54 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S54 - a2_0) * decay_0 / (_S54 - a2_0 * decay_0 * decay_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_transmittance(@builtin(global_invocation_id) thread_23 : vec3<u32>)
 {
-    var _S58 : u32 = thread_23.x;
-    var at_22 : u32 = _S58 * u32(7);
+    var _S55 : u32 = thread_23.x;
+    var at_22 : u32 = _S55 * u32(7);
     var result_14 : vec3<f32> = skin_transmittance_0(inputs_0[at_22], vec3<f32>(inputs_0[at_22 + u32(1)], inputs_0[at_22 + u32(2)], inputs_0[at_22 + u32(3)]), vec3<f32>(inputs_0[at_22 + u32(4)], inputs_0[at_22 + u32(5)], inputs_0[at_22 + u32(6)]));
-    var _S59 : u32 = _S58 * u32(3);
-    outputs_0[_S59] = result_14[i32(0)];
-    outputs_0[_S59 + u32(1)] = result_14[i32(1)];
-    outputs_0[_S59 + u32(2)] = result_14[i32(2)];
+    var _S56 : u32 = _S55 * u32(3);
+    outputs_0[_S56] = result_14[i32(0)];
+    outputs_0[_S56 + u32(1)] = result_14[i32(1)];
+    outputs_0[_S56 + u32(2)] = result_14[i32(2)];
     return;
 }
 
@@ -607,9 +600,9 @@ fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f3
 @workgroup_size(64, 1, 1)
 fn run_classic_transmittance(@builtin(global_invocation_id) thread_24 : vec3<u32>)
 {
-    var _S60 : u32 = thread_24.x;
-    var at_23 : u32 = _S60 * u32(2);
-    outputs_0[_S60] = skin_classic_transmittance_0(inputs_0[at_23], inputs_0[at_23 + u32(1)]);
+    var _S57 : u32 = thread_24.x;
+    var at_23 : u32 = _S57 * u32(2);
+    outputs_0[_S57] = skin_classic_transmittance_0(inputs_0[at_23], inputs_0[at_23 + u32(1)]);
     return;
 }
 
@@ -622,13 +615,13 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
 @workgroup_size(64, 1, 1)
 fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_25 : vec3<u32>)
 {
-    var _S61 : u32 = thread_25.x;
-    var at_24 : u32 = _S61 * u32(5);
+    var _S58 : u32 = thread_25.x;
+    var at_24 : u32 = _S58 * u32(5);
     var result_15 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[at_24], inputs_0[at_24 + u32(1)], inputs_0[at_24 + u32(2)]), inputs_0[at_24 + u32(3)], inputs_0[at_24 + u32(4)]);
-    var _S62 : u32 = _S61 * u32(3);
-    outputs_0[_S62] = result_15[i32(0)];
-    outputs_0[_S62 + u32(1)] = result_15[i32(1)];
-    outputs_0[_S62 + u32(2)] = result_15[i32(2)];
+    var _S59 : u32 = _S58 * u32(3);
+    outputs_0[_S59] = result_15[i32(0)];
+    outputs_0[_S59 + u32(1)] = result_15[i32(1)];
+    outputs_0[_S59 + u32(2)] = result_15[i32(2)];
     return;
 }
 
@@ -641,13 +634,13 @@ fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 
 @workgroup_size(64, 1, 1)
 fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_26 : vec3<u32>)
 {
-    var _S63 : u32 = thread_26.x;
-    var at_25 : u32 = _S63 * u32(7);
+    var _S60 : u32 = thread_26.x;
+    var at_25 : u32 = _S60 * u32(7);
     var result_16 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[at_25], inputs_0[at_25 + u32(1)], inputs_0[at_25 + u32(2)]), vec3<f32>(inputs_0[at_25 + u32(3)], inputs_0[at_25 + u32(4)], inputs_0[at_25 + u32(5)]), inputs_0[at_25 + u32(6)]);
-    var _S64 : u32 = _S63 * u32(3);
-    outputs_0[_S64] = result_16[i32(0)];
-    outputs_0[_S64 + u32(1)] = result_16[i32(1)];
-    outputs_0[_S64 + u32(2)] = result_16[i32(2)];
+    var _S61 : u32 = _S60 * u32(3);
+    outputs_0[_S61] = result_16[i32(0)];
+    outputs_0[_S61 + u32(1)] = result_16[i32(1)];
+    outputs_0[_S61 + u32(2)] = result_16[i32(2)];
     return;
 }
 
@@ -660,32 +653,32 @@ fn skin_specular_power_0( gloss_0 : f32) -> f32
 @workgroup_size(64, 1, 1)
 fn run_specular_power(@builtin(global_invocation_id) thread_27 : vec3<u32>)
 {
-    var _S65 : u32 = thread_27.x;
-    outputs_0[_S65] = skin_specular_power_0(inputs_0[_S65]);
+    var _S62 : u32 = thread_27.x;
+    outputs_0[_S62] = skin_specular_power_0(inputs_0[_S62]);
     return;
 }
 
 fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
 {
-    var l_1 : f32 = clamp(normal_length_0, 0.00100000004749745f, 1.0f);
+    var l_0 : f32 = clamp(normal_length_0, 0.00100000004749745f, 1.0f);
     var power_0 : f32 = skin_specular_power_0(gloss_1);
-    return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0f - l_1)), 1.0f)) / 13.0f;
+    return log2(max(l_0 * power_0 / (l_0 + power_0 * (1.0f - l_0)), 1.0f)) / 13.0f;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_gloss_of_relief(@builtin(global_invocation_id) thread_28 : vec3<u32>)
 {
-    var _S66 : u32 = thread_28.x;
-    var at_26 : u32 = _S66 * u32(2);
-    outputs_0[_S66] = skin_gloss_of_relief_0(inputs_0[at_26], inputs_0[at_26 + u32(1)]);
+    var _S63 : u32 = thread_28.x;
+    var at_26 : u32 = _S63 * u32(2);
+    outputs_0[_S63] = skin_gloss_of_relief_0(inputs_0[at_26], inputs_0[at_26 + u32(1)]);
     return;
 }
 
 fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 {
-    var _S67 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S67 * _S67;
+    var _S64 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S64 * _S64;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
@@ -693,16 +686,16 @@ fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 @workgroup_size(64, 1, 1)
 fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_29 : vec3<u32>)
 {
-    var _S68 : u32 = thread_29.x;
-    outputs_0[_S68] = skin_gloss_from_roughness_0(inputs_0[_S68]);
+    var _S65 : u32 = thread_29.x;
+    outputs_0[_S65] = skin_gloss_from_roughness_0(inputs_0[_S65]);
     return;
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_1 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S69 : f32 = 1.0f - k_0;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S69 * n_dot_l_2) * (k_0 + _S69 * n_dot_v_1)));
+    var _S66 : f32 = 1.0f - k_0;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_0 + _S66 * n_dot_l_2) * (k_0 + _S66 * n_dot_v_1)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
@@ -721,9 +714,9 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_0 : vec3<f32>,  light_5 : vec3<f
 @workgroup_size(64, 1, 1)
 fn run_specular(@builtin(global_invocation_id) thread_30 : vec3<u32>)
 {
-    var _S70 : u32 = thread_30.x;
-    var at_27 : u32 = _S70 * u32(11);
-    outputs_0[_S70] = skin_specular_0(vec3<f32>(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]), vec3<f32>(inputs_0[at_27 + u32(3)], inputs_0[at_27 + u32(4)], inputs_0[at_27 + u32(5)]), vec3<f32>(inputs_0[at_27 + u32(6)], inputs_0[at_27 + u32(7)], inputs_0[at_27 + u32(8)]), inputs_0[at_27 + u32(9)], inputs_0[at_27 + u32(10)]);
+    var _S67 : u32 = thread_30.x;
+    var at_27 : u32 = _S67 * u32(11);
+    outputs_0[_S67] = skin_specular_0(vec3<f32>(inputs_0[at_27], inputs_0[at_27 + u32(1)], inputs_0[at_27 + u32(2)]), vec3<f32>(inputs_0[at_27 + u32(3)], inputs_0[at_27 + u32(4)], inputs_0[at_27 + u32(5)]), vec3<f32>(inputs_0[at_27 + u32(6)], inputs_0[at_27 + u32(7)], inputs_0[at_27 + u32(8)]), inputs_0[at_27 + u32(9)], inputs_0[at_27 + u32(10)]);
     return;
 }
 
@@ -736,13 +729,13 @@ fn skin_reflected_0( normal_4 : vec3<f32>,  view_1 : vec3<f32>) -> vec3<f32>
 @workgroup_size(64, 1, 1)
 fn run_reflected(@builtin(global_invocation_id) thread_31 : vec3<u32>)
 {
-    var _S71 : u32 = thread_31.x;
-    var at_28 : u32 = _S71 * u32(6);
+    var _S68 : u32 = thread_31.x;
+    var at_28 : u32 = _S68 * u32(6);
     var result_17 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[at_28], inputs_0[at_28 + u32(1)], inputs_0[at_28 + u32(2)]), vec3<f32>(inputs_0[at_28 + u32(3)], inputs_0[at_28 + u32(4)], inputs_0[at_28 + u32(5)]));
-    var _S72 : u32 = _S71 * u32(3);
-    outputs_0[_S72] = result_17[i32(0)];
-    outputs_0[_S72 + u32(1)] = result_17[i32(1)];
-    outputs_0[_S72 + u32(2)] = result_17[i32(2)];
+    var _S69 : u32 = _S68 * u32(3);
+    outputs_0[_S69] = result_17[i32(0)];
+    outputs_0[_S69 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S69 + u32(2)] = result_17[i32(2)];
     return;
 }
 
@@ -757,9 +750,9 @@ fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectanc
 @workgroup_size(64, 1, 1)
 fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_32 : vec3<u32>)
 {
-    var _S73 : u32 = thread_32.x;
-    var at_29 : u32 = _S73 * u32(3);
-    outputs_0[_S73] = skin_ambient_specular_fresnel_0(inputs_0[at_29], inputs_0[at_29 + u32(1)], inputs_0[at_29 + u32(2)]);
+    var _S70 : u32 = thread_32.x;
+    var at_29 : u32 = _S70 * u32(3);
+    outputs_0[_S70] = skin_ambient_specular_fresnel_0(inputs_0[at_29], inputs_0[at_29 + u32(1)], inputs_0[at_29 + u32(2)]);
     return;
 }
 
@@ -772,39 +765,39 @@ fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) 
 @workgroup_size(64, 1, 1)
 fn run_diffuse_share(@builtin(global_invocation_id) thread_33 : vec3<u32>)
 {
-    var _S74 : u32 = thread_33.x;
-    var at_30 : u32 = _S74 * u32(3);
-    outputs_0[_S74] = skin_diffuse_share_0(inputs_0[at_30], inputs_0[at_30 + u32(1)], inputs_0[at_30 + u32(2)]);
+    var _S71 : u32 = thread_33.x;
+    var at_30 : u32 = _S71 * u32(3);
+    outputs_0[_S71] = skin_diffuse_share_0(inputs_0[at_30], inputs_0[at_30 + u32(1)], inputs_0[at_30 + u32(2)]);
     return;
 }
 
 fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
 {
-    var _S75 : f32 = direction_0.x;
-    var _S76 : f32 = direction_0.z;
-    var level_0 : f32 = sqrt(_S75 * _S75 + _S76 * _S76);
+    var _S72 : f32 = direction_0.x;
+    var _S73 : f32 = direction_0.z;
+    var level_0 : f32 = sqrt(_S72 * _S72 + _S73 * _S73);
     var x_2 : f32;
     if(level_0 > 0.0f)
     {
-        x_2 = _S75;
+        x_2 = _S72;
     }
     else
     {
         x_2 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S76, x_2) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S73, x_2) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_equirectangular_uv(@builtin(global_invocation_id) thread_34 : vec3<u32>)
 {
-    var _S77 : u32 = thread_34.x;
-    var at_31 : u32 = _S77 * u32(3);
+    var _S74 : u32 = thread_34.x;
+    var at_31 : u32 = _S74 * u32(3);
     var result_18 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[at_31], inputs_0[at_31 + u32(1)], inputs_0[at_31 + u32(2)]));
-    var _S78 : u32 = _S77 * u32(2);
-    outputs_0[_S78] = result_18[i32(0)];
-    outputs_0[_S78 + u32(1)] = result_18[i32(1)];
+    var _S75 : u32 = _S74 * u32(2);
+    outputs_0[_S75] = result_18[i32(0)];
+    outputs_0[_S75 + u32(1)] = result_18[i32(1)];
     return;
 }
 
@@ -817,18 +810,18 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 @workgroup_size(64, 1, 1)
 fn run_reflection_level(@builtin(global_invocation_id) thread_35 : vec3<u32>)
 {
-    var _S79 : u32 = thread_35.x;
-    outputs_0[_S79] = skin_reflection_level_0(inputs_0[_S79]);
+    var _S76 : u32 = thread_35.x;
+    outputs_0[_S76] = skin_reflection_level_0(inputs_0[_S76]);
     return;
 }
 
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_1 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
     var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S80 : f32 = min(floor(level_1), 3.0f);
+    var _S77 : f32 = min(floor(level_1), 3.0f);
     var row_1 : f32 = clamp(uv_1.y, 0.0078125f, 0.9921875f);
-    var _S81 : f32 = uv_1.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S81, (_S80 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S81, (_S80 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S80)));
+    var _S78 : f32 = uv_1.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S78, (_S77 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S78, (_S77 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S77)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_1 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -842,21 +835,21 @@ fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sa
 @workgroup_size(64, 1, 1)
 fn run_reflected_radiance(@builtin(global_invocation_id) thread_36 : vec3<u32>)
 {
-    var _S82 : u32 = thread_36.x;
-    var at_32 : u32 = _S82 * u32(4);
+    var _S79 : u32 = thread_36.x;
+    var at_32 : u32 = _S79 * u32(4);
     var result_19 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[at_32], inputs_0[at_32 + u32(1)], inputs_0[at_32 + u32(2)]), inputs_0[at_32 + u32(3)]);
-    var _S83 : u32 = _S82 * u32(3);
-    outputs_0[_S83] = result_19[i32(0)];
-    outputs_0[_S83 + u32(1)] = result_19[i32(1)];
-    outputs_0[_S83 + u32(2)] = result_19[i32(2)];
+    var _S80 : u32 = _S79 * u32(3);
+    outputs_0[_S80] = result_19[i32(0)];
+    outputs_0[_S80 + u32(1)] = result_19[i32(1)];
+    outputs_0[_S80 + u32(2)] = result_19[i32(2)];
     return;
 }
 
 fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S84 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S84 + vec3<f32>(0.5f)) / (x_3 * (_S84 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S81 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S81 + vec3<f32>(0.5f)) / (x_3 * (_S81 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 @compute
@@ -864,27 +857,27 @@ fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 fn run_filmic(@builtin(global_invocation_id) thread_37 : vec3<u32>)
 {
     var at_33 : u32 = thread_37.x * u32(3);
-    var _S85 : u32 = at_33 + u32(1);
-    var _S86 : u32 = at_33 + u32(2);
-    var result_20 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_33], inputs_0[_S85], inputs_0[_S86]));
+    var _S82 : u32 = at_33 + u32(1);
+    var _S83 : u32 = at_33 + u32(2);
+    var result_20 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_33], inputs_0[_S82], inputs_0[_S83]));
     outputs_0[at_33] = result_20[i32(0)];
-    outputs_0[_S85] = result_20[i32(1)];
-    outputs_0[_S86] = result_20[i32(2)];
+    outputs_0[_S82] = result_20[i32(1)];
+    outputs_0[_S83] = result_20[i32(2)];
     return;
 }
 
 fn skin_srgb_curve_0( x_4 : f32) -> f32
 {
-    var _S87 : f32;
+    var _S84 : f32;
     if(x_4 <= 0.00313080009073019f)
     {
-        _S87 = 12.92000007629394531f * x_4;
+        _S84 = 12.92000007629394531f * x_4;
     }
     else
     {
-        _S87 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S84 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S87;
+    return _S84;
 }
 
 fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
@@ -898,27 +891,27 @@ fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
 fn run_srgb_from_linear(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
     var at_34 : u32 = thread_38.x * u32(3);
-    var _S88 : u32 = at_34 + u32(1);
-    var _S89 : u32 = at_34 + u32(2);
-    var result_21 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_34], inputs_0[_S88], inputs_0[_S89]));
+    var _S85 : u32 = at_34 + u32(1);
+    var _S86 : u32 = at_34 + u32(2);
+    var result_21 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_34], inputs_0[_S85], inputs_0[_S86]));
     outputs_0[at_34] = result_21[i32(0)];
-    outputs_0[_S88] = result_21[i32(1)];
-    outputs_0[_S89] = result_21[i32(2)];
+    outputs_0[_S85] = result_21[i32(1)];
+    outputs_0[_S86] = result_21[i32(2)];
     return;
 }
 
 fn skin_linear_curve_0( x_6 : f32) -> f32
 {
-    var _S90 : f32;
+    var _S87 : f32;
     if(x_6 <= 0.04044999927282333f)
     {
-        _S90 = x_6 / 12.92000007629394531f;
+        _S87 = x_6 / 12.92000007629394531f;
     }
     else
     {
-        _S90 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S87 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S90;
+    return _S87;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -932,12 +925,12 @@ fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 fn run_linear_from_srgb(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
     var at_35 : u32 = thread_39.x * u32(3);
-    var _S91 : u32 = at_35 + u32(1);
-    var _S92 : u32 = at_35 + u32(2);
-    var result_22 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_35], inputs_0[_S91], inputs_0[_S92]));
+    var _S88 : u32 = at_35 + u32(1);
+    var _S89 : u32 = at_35 + u32(2);
+    var result_22 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_35], inputs_0[_S88], inputs_0[_S89]));
     outputs_0[at_35] = result_22[i32(0)];
-    outputs_0[_S91] = result_22[i32(1)];
-    outputs_0[_S92] = result_22[i32(2)];
+    outputs_0[_S88] = result_22[i32(1)];
+    outputs_0[_S89] = result_22[i32(2)];
     return;
 }
 
@@ -950,9 +943,9 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 @workgroup_size(64, 1, 1)
 fn run_classic_blur_level(@builtin(global_invocation_id) thread_40 : vec3<u32>)
 {
-    var _S93 : u32 = thread_40.x;
-    var at_36 : u32 = _S93 * u32(4);
-    outputs_0[_S93] = skin_classic_blur_level_0(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]);
+    var _S90 : u32 = thread_40.x;
+    var at_36 : u32 = _S90 * u32(4);
+    outputs_0[_S90] = skin_classic_blur_level_0(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]);
     return;
 }
 
@@ -968,13 +961,13 @@ fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lu
 @workgroup_size(64, 1, 1)
 fn run_classic_direct(@builtin(global_invocation_id) thread_41 : vec3<u32>)
 {
-    var _S94 : u32 = thread_41.x;
-    var at_37 : u32 = _S94 * u32(14);
+    var _S91 : u32 = thread_41.x;
+    var at_37 : u32 = _S91 * u32(14);
     var result_23 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_37], inputs_0[at_37 + u32(1)], inputs_0[at_37 + u32(2)], inputs_0[at_37 + u32(3)]), vec3<f32>(inputs_0[at_37 + u32(4)], inputs_0[at_37 + u32(5)], inputs_0[at_37 + u32(6)]), vec3<f32>(inputs_0[at_37 + u32(7)], inputs_0[at_37 + u32(8)], inputs_0[at_37 + u32(9)]), vec3<f32>(inputs_0[at_37 + u32(10)], inputs_0[at_37 + u32(11)], inputs_0[at_37 + u32(12)]), inputs_0[at_37 + u32(13)]);
-    var _S95 : u32 = _S94 * u32(3);
-    outputs_0[_S95] = result_23[i32(0)];
-    outputs_0[_S95 + u32(1)] = result_23[i32(1)];
-    outputs_0[_S95 + u32(2)] = result_23[i32(2)];
+    var _S92 : u32 = _S91 * u32(3);
+    outputs_0[_S92] = result_23[i32(0)];
+    outputs_0[_S92 + u32(1)] = result_23[i32(1)];
+    outputs_0[_S92 + u32(2)] = result_23[i32(2)];
     return;
 }
 
@@ -987,19 +980,19 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 @workgroup_size(64, 1, 1)
 fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_42 : vec3<u32>)
 {
-    var _S96 : u32 = thread_42.x;
-    var at_38 : u32 = _S96 * u32(6);
+    var _S93 : u32 = thread_42.x;
+    var at_38 : u32 = _S93 * u32(6);
     var result_24 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_38], inputs_0[at_38 + u32(1)], inputs_0[at_38 + u32(2)]), vec3<f32>(inputs_0[at_38 + u32(3)], inputs_0[at_38 + u32(4)], inputs_0[at_38 + u32(5)]));
-    var _S97 : u32 = _S96 * u32(9);
-    outputs_0[_S97] = result_24[i32(0)][i32(0)];
-    outputs_0[_S97 + u32(1)] = result_24[i32(0)][i32(1)];
-    outputs_0[_S97 + u32(2)] = result_24[i32(0)][i32(2)];
-    outputs_0[_S97 + u32(3)] = result_24[i32(1)][i32(0)];
-    outputs_0[_S97 + u32(4)] = result_24[i32(1)][i32(1)];
-    outputs_0[_S97 + u32(5)] = result_24[i32(1)][i32(2)];
-    outputs_0[_S97 + u32(6)] = result_24[i32(2)][i32(0)];
-    outputs_0[_S97 + u32(7)] = result_24[i32(2)][i32(1)];
-    outputs_0[_S97 + u32(8)] = result_24[i32(2)][i32(2)];
+    var _S94 : u32 = _S93 * u32(9);
+    outputs_0[_S94] = result_24[i32(0)][i32(0)];
+    outputs_0[_S94 + u32(1)] = result_24[i32(0)][i32(1)];
+    outputs_0[_S94 + u32(2)] = result_24[i32(0)][i32(2)];
+    outputs_0[_S94 + u32(3)] = result_24[i32(1)][i32(0)];
+    outputs_0[_S94 + u32(4)] = result_24[i32(1)][i32(1)];
+    outputs_0[_S94 + u32(5)] = result_24[i32(1)][i32(2)];
+    outputs_0[_S94 + u32(6)] = result_24[i32(2)][i32(0)];
+    outputs_0[_S94 + u32(7)] = result_24[i32(2)][i32(1)];
+    outputs_0[_S94 + u32(8)] = result_24[i32(2)][i32(2)];
     return;
 }
 
@@ -1012,9 +1005,9 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 @workgroup_size(64, 1, 1)
 fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_43 : vec3<u32>)
 {
-    var _S98 : u32 = thread_43.x;
-    var at_39 : u32 = _S98 * u32(2);
-    outputs_0[_S98] = skin_classic_sharpened_shadow_0(inputs_0[at_39], inputs_0[at_39 + u32(1)]);
+    var _S95 : u32 = thread_43.x;
+    var at_39 : u32 = _S95 * u32(2);
+    outputs_0[_S95] = skin_classic_sharpened_shadow_0(inputs_0[at_39], inputs_0[at_39 + u32(1)]);
     return;
 }
 
@@ -1027,9 +1020,9 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_
 @workgroup_size(64, 1, 1)
 fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_44 : vec3<u32>)
 {
-    var _S99 : u32 = thread_44.x;
-    var at_40 : u32 = _S99 * u32(4);
-    outputs_0[_S99] = skin_classic_deep_scatter_0(inputs_0[at_40], inputs_0[at_40 + u32(1)], inputs_0[at_40 + u32(2)], inputs_0[at_40 + u32(3)]);
+    var _S96 : u32 = thread_44.x;
+    var at_40 : u32 = _S96 * u32(4);
+    outputs_0[_S96] = skin_classic_deep_scatter_0(inputs_0[at_40], inputs_0[at_40 + u32(1)], inputs_0[at_40 + u32(2)], inputs_0[at_40 + u32(3)]);
     return;
 }
 

@@ -58,8 +58,9 @@ mat3x3 skin_add_mesh_diffusion(mat3x3 from_texture, mat3x3 from_mesh, vec3 mesh_
 float skin_relief_bump(float m, float s)
 {
     float _S1 = max(s, 9.99999971718068537e-10);
-    float _S2 = min(abs(m) / _S1, 8.0);
-    return _S1 * (0.39894229173660278 * exp(-0.5 * _S2 * _S2)) / (1.0 + _S2 * (1.25119507312774658 + _S2 * (0.58454132080078125 + _S2 * 0.06752368807792664)));
+    float _S2 = max(1.0 - abs(m) / (4.40000009536743164 * _S1), 0.0);
+    float t2_0 = _S2 * _S2;
+    return _S1 * t2_0 * t2_0 * (0.16452799737453461 + _S2 * (-1.55506408214569092 + _S2 * (7.10253477096557617 + _S2 * (-16.75164794921875 + _S2 * (22.75126266479492188 + _S2 * (-15.08054447174072266 + _S2 * 3.76787090301513672))))));
 }
 
 vec3 skin_lengths(mat3x3 normals)
@@ -69,7 +70,7 @@ vec3 skin_lengths(mat3x3 normals)
 
 vec3 skin_cosines(mat3x3 normals, vec3 light, vec3 lengths)
 {
-    return clamp(vec3(dot(normals[0], light), dot(normals[1], light), dot(normals[2], light)) / max(lengths, vec3(9.99999971718068537e-10)), vec3(-1.0), vec3(1.0));
+    return clamp(vec3(dot(normals[0], light), dot(normals[1], light), dot(normals[2], light)) / lengths, vec3(-1.0), vec3(1.0));
 }
 
 vec3 skin_curvature_table(sampler2D lut, vec4 lut_axes, vec3 cos_theta, float curvature_per_mm)
@@ -82,10 +83,8 @@ vec3 skin_curvature_table(sampler2D lut, vec4 lut_axes, vec3 cos_theta, float cu
 
 vec3 skin_lost_relief(vec3 lengths, vec3 cos_theta)
 {
-    const vec3 _S5 = vec3(0.0);
-    vec3 slope_0 = sqrt(max(- log(clamp(lengths, vec3(0.00100000004749745), vec3(1.0))), _S5));
-    vec3 sine_0 = sqrt(max(1.0 - cos_theta * cos_theta, _S5));
-    return vec3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x * sine_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y * sine_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z * sine_0.z));
+    vec3 slope_0 = sqrt(max(- log(clamp(lengths, vec3(0.00100000004749745), vec3(1.0))) * (1.0 - cos_theta * cos_theta), vec3(0.0)));
+    return vec3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z));
 }
 
 vec3 skin_direct_scalar(sampler2D lut, vec4 lut_axes, mat3x3 normals, vec3 light, float curvature_per_mm, vec3 gain)
@@ -129,10 +128,9 @@ vec2 skin_directional_curvature(mat3x3 tensor_world, vec3 normal, vec3 light)
 
 vec3 skin_energy_gain(vec3 albedo, vec3 rms_radius_mm, vec3 curvature_per_mm)
 {
-    vec3 absorbed_0 = 1.0 - albedo;
-    vec3 u_0 = 1.20000004768371582 * absorbed_0 * rms_radius_mm * max(curvature_per_mm, vec3(0.0));
-    vec3 bound_0 = u_0 * albedo / absorbed_0;
-    return 1.0 + u_0 / sqrt(1.0 + bound_0 * bound_0);
+    vec3 bent_0 = 1.20000004768371582 * rms_radius_mm * max(curvature_per_mm, vec3(0.0));
+    vec3 bound_0 = albedo * bent_0;
+    return 1.0 + (1.0 - albedo) * bent_0 / sqrt(1.0 + bound_0 * bound_0);
 }
 
 float skin_smoothstep(float p)
@@ -153,23 +151,22 @@ float skin_sharpened_shadow(float shadow_filter, float sharpening)
 
 float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
 {
-    float _S6 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258);
-    float _S7 = max(depth_mm - mean_depth_mm, 0.0);
-    return _S6 / (_S6 + _S7 * _S7);
+    float _S5 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258);
+    float _S6 = max(depth_mm - mean_depth_mm, 0.0);
+    return _S5 / (_S5 + _S6 * _S6);
 }
 
 vec3 skin_sh_bands(mat3x3 sh, vec3 d)
 {
-    float _S8 = d.y;
-    float _S9 = d.z;
-    float _S10 = d.x;
-    return vec3(0.282094806432724 * sh[0].x, 0.48860251903533936 * (sh[0].y * _S8 + sh[0].z * _S9 + sh[1].x * _S10), 1.09254848957061768 * (sh[1].y * _S10 * _S8 + sh[1].z * _S8 * _S9 + sh[2].y * _S10 * _S9) + 0.31539157032966614 * sh[2].x * (3.0 * _S9 * _S9 - 1.0) + 0.54627424478530884 * sh[2].z * (_S10 * _S10 - _S8 * _S8));
+    float _S7 = d.y;
+    float _S8 = d.z;
+    float _S9 = d.x;
+    return vec3(0.282094806432724 * sh[0].x, 0.48860251903533936 * (sh[0].y * _S7 + sh[0].z * _S8 + sh[1].x * _S9), 1.09254848957061768 * (sh[1].y * _S9 * _S7 + sh[1].z * _S7 * _S8 + sh[2].y * _S9 * _S8) + 0.31539157032966614 * sh[2].x * (3.0 * _S8 * _S8 - dot(d, d)) + 0.54627424478530884 * sh[2].z * (_S9 * _S9 - _S7 * _S7));
 }
 
 float skin_ambient_channel(mat3x3 sh, vec3 normal, vec3 band_transfer)
 {
-    float l_0 = skin_safe_length(normal);
-    return max(dot(skin_sh_bands(sh, normal / l_0), vec3(1.0, l_0, l_0 * l_0 * l_0) * band_transfer * vec3(1.0, 0.66666668653488159, 0.25)), 0.0);
+    return max(dot(skin_sh_bands(sh, normal), vec3(1.0, 1.0, skin_safe_length(normal)) * band_transfer * vec3(1.0, 0.66666668653488159, 0.25)), 0.0);
 }
 
 vec3 skin_ambient_irradiance(mat3x3 radiance_sh_red, mat3x3 radiance_sh_green, mat3x3 radiance_sh_blue, mat3x3 normals, mat3x3 band_transfer)
@@ -256,11 +253,8 @@ float skin_thickness(sampler2D depth_map, mat4x4 projection, vec2 uv, float rece
 vec3 skin_transmittance(float thickness_mm, vec3 albedo, vec3 sigma_per_mm)
 {
     vec3 a2_0 = albedo * albedo;
-    vec3 _S11 = 2.0 * albedo;
-    vec3 a_0 = (1.0 + a2_0) / _S11;
-    vec3 b_0 = (1.0 - a2_0) / _S11;
     vec3 decay_0 = exp(- sigma_per_mm * thickness_mm);
-    return 2.0 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    return (1.0 - a2_0) * decay_0 / (1.0 - a2_0 * decay_0 * decay_0);
 }
 
 float skin_classic_transmittance(float thickness_mm, float radius_mm)
@@ -286,23 +280,23 @@ float skin_specular_power(float gloss)
 
 float skin_gloss_of_relief(float gloss, float normal_length)
 {
-    float l_1 = clamp(normal_length, 0.00100000004749745, 1.0);
+    float l_0 = clamp(normal_length, 0.00100000004749745, 1.0);
     float power_0 = skin_specular_power(gloss);
-    return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0 - l_1)), 1.0)) / 13.0;
+    return log2(max(l_0 * power_0 / (l_0 + power_0 * (1.0 - l_0)), 1.0)) / 13.0;
 }
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S12 = max(roughness, 0.00100000004749745);
-    float r2_0 = _S12 * _S12;
+    float _S10 = max(roughness, 0.00100000004749745);
+    float r2_0 = _S10 * _S10;
     return clamp(log2(max(2.0 / (r2_0 * r2_0) - 2.0, 1.0)) / 13.0, 0.0, 1.0);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = (inversesqrt((3.14159274101257324 * power / 4.0 + 1.57079637050628662)));
-    float _S13 = 1.0 - k_0;
-    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S13 * n_dot_l) * (k_0 + _S13 * n_dot_v)));
+    float _S11 = 1.0 - k_0;
+    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S11 * n_dot_l) * (k_0 + _S11 * n_dot_v)));
 }
 
 float skin_specular(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
@@ -336,19 +330,19 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
 
 vec2 skin_equirectangular_uv(vec3 direction)
 {
-    float _S14 = direction.x;
-    float _S15 = direction.z;
-    float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
+    float _S12 = direction.x;
+    float _S13 = direction.z;
+    float level_0 = sqrt(_S12 * _S12 + _S13 * _S13);
     float x_4;
     if(level_0 > 0.0)
     {
-        x_4 = _S14;
+        x_4 = _S12;
     }
     else
     {
         x_4 = 1.0;
     }
-    return vec2(0.5 + (atan((_S15),(x_4))) / 6.28318548202514648, (atan((level_0),(direction.y))) / 3.14159274101257324);
+    return vec2(0.5 + (atan((_S13),(x_4))) / 6.28318548202514648, (atan((level_0),(direction.y))) / 3.14159274101257324);
 }
 
 float skin_reflection_level(float power)
@@ -359,10 +353,10 @@ float skin_reflection_level(float power)
 vec3 skin_preconvolved(sampler2D preconvolved, vec2 uv, float power)
 {
     float level_1 = skin_reflection_level(power);
-    float _S16 = min(floor(level_1), 3.0);
+    float _S14 = min(floor(level_1), 3.0);
     float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
-    float _S17 = uv.x;
-    return mix((textureLod((preconvolved), (vec2(_S17, (_S16 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S17, (_S16 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_1 - _S16));
+    float _S15 = uv.x;
+    return mix((textureLod((preconvolved), (vec2(_S15, (_S14 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S15, (_S14 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_1 - _S14));
 }
 
 vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss)
@@ -375,22 +369,22 @@ vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss
 vec3 skin_filmic(vec3 light)
 {
     vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
-    vec3 _S18 = 6.19999980926513672 * x_5;
-    return x_5 * (_S18 + 0.5) / (x_5 * (_S18 + 1.70000004768371582) + 0.05999999865889549);
+    vec3 _S16 = 6.19999980926513672 * x_5;
+    return x_5 * (_S16 + 0.5) / (x_5 * (_S16 + 1.70000004768371582) + 0.05999999865889549);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S19;
+    float _S17;
     if(x <= 0.00313080009073019)
     {
-        _S19 = 12.92000007629394531 * x;
+        _S17 = 12.92000007629394531 * x;
     }
     else
     {
-        _S19 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        _S17 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
     }
-    return _S19;
+    return _S17;
 }
 
 vec3 skin_srgb_from_linear(vec3 light)
@@ -401,16 +395,16 @@ vec3 skin_srgb_from_linear(vec3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S20;
+    float _S18;
     if(x <= 0.04044999927282333)
     {
-        _S20 = x / 12.92000007629394531;
+        _S18 = x / 12.92000007629394531;
     }
     else
     {
-        _S20 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S18 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
-    return _S20;
+    return _S18;
 }
 
 vec3 skin_linear_from_srgb(vec3 display)

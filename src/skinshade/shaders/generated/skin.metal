@@ -46,8 +46,9 @@ float3x3 skin_add_mesh_diffusion(float3x3 from_texture, float3x3 from_mesh, floa
 float skin_relief_bump(float m, float s)
 {
     float _S1 = max(s, 9.99999971718068537e-10f);
-    float _S2 = min(abs(m) / _S1, 8.0f);
-    return _S1 * (0.39894229173660278f * exp(-0.5f * _S2 * _S2)) / (1.0f + _S2 * (1.25119507312774658f + _S2 * (0.58454132080078125f + _S2 * 0.06752368807792664f)));
+    float _S2 = max(1.0f - abs(m) / (4.40000009536743164f * _S1), 0.0f);
+    float t2_0 = _S2 * _S2;
+    return _S1 * t2_0 * t2_0 * (0.16452799737453461f + _S2 * (-1.55506408214569092f + _S2 * (7.10253477096557617f + _S2 * (-16.75164794921875f + _S2 * (22.75126266479492188f + _S2 * (-15.08054447174072266f + _S2 * 3.76787090301513672f))))));
 }
 
 float3 skin_lengths(float3x3 normals)
@@ -57,7 +58,7 @@ float3 skin_lengths(float3x3 normals)
 
 float3 skin_cosines(float3x3 normals, float3 light, float3 lengths)
 {
-    return clamp(float3(dot(normals[int(0)], light), dot(normals[int(1)], light), dot(normals[int(2)], light)) / max(lengths, float3(9.99999971718068537e-10f) ), float3(-1.0f) , float3(1.0f) );
+    return clamp(float3(dot(normals[int(0)], light), dot(normals[int(1)], light), dot(normals[int(2)], light)) / lengths, float3(-1.0f) , float3(1.0f) );
 }
 
 float3 skin_curvature_table(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float3 cos_theta, float curvature_per_mm)
@@ -70,10 +71,8 @@ float3 skin_curvature_table(texture2d<float, access::sample> lut, sampler lut_sa
 
 float3 skin_lost_relief(float3 lengths, float3 cos_theta)
 {
-    float3 _S5 = float3(0.0f) ;
-    float3 slope_0 = sqrt(max(- log(clamp(lengths, float3(0.00100000004749745f) , float3(1.0f) )), _S5));
-    float3 sine_0 = sqrt(max(float3(1.0f)  - cos_theta * cos_theta, _S5));
-    return float3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x * sine_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y * sine_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z * sine_0.z));
+    float3 slope_0 = sqrt(max(- log(clamp(lengths, float3(0.00100000004749745f) , float3(1.0f) )) * (float3(1.0f)  - cos_theta * cos_theta), float3(0.0f) ));
+    return float3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z));
 }
 
 float3 skin_direct_scalar(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float3x3 normals, float3 light, float curvature_per_mm, float3 gain)
@@ -117,11 +116,10 @@ float2 skin_directional_curvature(float3x3 tensor_world, float3 normal, float3 l
 
 float3 skin_energy_gain(float3 albedo, float3 rms_radius_mm, float3 curvature_per_mm)
 {
-    float3 _S6 = float3(1.0f) ;
-    float3 absorbed_0 = _S6 - albedo;
-    float3 u_0 = float3(1.20000004768371582f)  * absorbed_0 * rms_radius_mm * max(curvature_per_mm, float3(0.0f) );
-    float3 bound_0 = u_0 * albedo / absorbed_0;
-    return _S6 + u_0 / sqrt(_S6 + bound_0 * bound_0);
+    float3 bent_0 = float3(1.20000004768371582f)  * rms_radius_mm * max(curvature_per_mm, float3(0.0f) );
+    float3 bound_0 = albedo * bent_0;
+    float3 _S5 = float3(1.0f) ;
+    return _S5 + (_S5 - albedo) * bent_0 / sqrt(_S5 + bound_0 * bound_0);
 }
 
 float skin_smoothstep(float p)
@@ -142,23 +140,22 @@ float skin_sharpened_shadow(float shadow_filter, float sharpening)
 
 float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
 {
-    float _S7 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
-    float _S8 = max(depth_mm - mean_depth_mm, 0.0f);
-    return _S7 / (_S7 + _S8 * _S8);
+    float _S6 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    float _S7 = max(depth_mm - mean_depth_mm, 0.0f);
+    return _S6 / (_S6 + _S7 * _S7);
 }
 
 float3 skin_sh_bands(float3x3 sh, float3 d)
 {
-    float _S9 = d.y;
-    float _S10 = d.z;
-    float _S11 = d.x;
-    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S9 + sh[int(0)].z * _S10 + sh[int(1)].x * _S11), 1.09254848957061768f * (sh[int(1)].y * _S11 * _S9 + sh[int(1)].z * _S9 * _S10 + sh[int(2)].y * _S11 * _S10) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S10 * _S10 - 1.0f) + 0.54627424478530884f * sh[int(2)].z * (_S11 * _S11 - _S9 * _S9));
+    float _S8 = d.y;
+    float _S9 = d.z;
+    float _S10 = d.x;
+    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S8 + sh[int(0)].z * _S9 + sh[int(1)].x * _S10), 1.09254848957061768f * (sh[int(1)].y * _S10 * _S8 + sh[int(1)].z * _S8 * _S9 + sh[int(2)].y * _S10 * _S9) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S9 * _S9 - dot(d, d)) + 0.54627424478530884f * sh[int(2)].z * (_S10 * _S10 - _S8 * _S8));
 }
 
 float skin_ambient_channel(float3x3 sh, float3 normal, float3 band_transfer)
 {
-    float l_0 = skin_safe_length(normal);
-    return max(dot(skin_sh_bands(sh, normal / float3(l_0) ), float3(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer * float3(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    return max(dot(skin_sh_bands(sh, normal), float3(1.0f, 1.0f, skin_safe_length(normal)) * band_transfer * float3(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 float3 skin_ambient_irradiance(float3x3 radiance_sh_red, float3x3 radiance_sh_green, float3x3 radiance_sh_blue, float3x3 normals, float3x3 band_transfer)
@@ -245,13 +242,9 @@ float skin_thickness(texture2d<float, access::sample> depth_map, sampler depth_m
 float3 skin_transmittance(float thickness_mm, float3 albedo, float3 sigma_per_mm)
 {
     float3 a2_0 = albedo * albedo;
-    float3 _S12 = float3(1.0f) ;
-    float3 _S13 = float3(2.0f) ;
-    float3 _S14 = _S13 * albedo;
-    float3 a_0 = (_S12 + a2_0) / _S14;
-    float3 b_0 = (_S12 - a2_0) / _S14;
     float3 decay_0 = exp(- sigma_per_mm * float3(thickness_mm) );
-    return _S13 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    float3 _S11 = float3(1.0f) ;
+    return (_S11 - a2_0) * decay_0 / (_S11 - a2_0 * decay_0 * decay_0);
 }
 
 float skin_classic_transmittance(float thickness_mm, float radius_mm)
@@ -277,23 +270,23 @@ float skin_specular_power(float gloss)
 
 float skin_gloss_of_relief(float gloss, float normal_length)
 {
-    float l_1 = clamp(normal_length, 0.00100000004749745f, 1.0f);
+    float l_0 = clamp(normal_length, 0.00100000004749745f, 1.0f);
     float power_0 = skin_specular_power(gloss);
-    return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0f - l_1)), 1.0f)) / 13.0f;
+    return log2(max(l_0 * power_0 / (l_0 + power_0 * (1.0f - l_0)), 1.0f)) / 13.0f;
 }
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S15 = max(roughness, 0.00100000004749745f);
-    float r2_0 = _S15 * _S15;
+    float _S12 = max(roughness, 0.00100000004749745f);
+    float r2_0 = _S12 * _S12;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = rsqrt(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    float _S16 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S16 * n_dot_l) * (k_0 + _S16 * n_dot_v)));
+    float _S13 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S13 * n_dot_l) * (k_0 + _S13 * n_dot_v)));
 }
 
 float skin_specular(float3 normal, float3 view, float3 light, float gloss, float reflectance)
@@ -327,19 +320,19 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
 
 float2 skin_equirectangular_uv(float3 direction)
 {
-    float _S17 = direction.x;
-    float _S18 = direction.z;
-    float level_0 = sqrt(_S17 * _S17 + _S18 * _S18);
+    float _S14 = direction.x;
+    float _S15 = direction.z;
+    float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
     float x_1;
     if(level_0 > 0.0f)
     {
-        x_1 = _S17;
+        x_1 = _S14;
     }
     else
     {
         x_1 = 1.0f;
     }
-    return float2(0.5f + atan2(_S18, x_1) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
+    return float2(0.5f + atan2(_S15, x_1) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
 }
 
 float skin_reflection_level(float power)
@@ -350,10 +343,10 @@ float skin_reflection_level(float power)
 float3 skin_preconvolved(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float2 uv, float power)
 {
     float level_1 = skin_reflection_level(power);
-    float _S19 = min(floor(level_1), 3.0f);
+    float _S16 = min(floor(level_1), 3.0f);
     float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    float _S20 = uv.x;
-    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S20, (_S19 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S20, (_S19 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_1 - _S19)) );
+    float _S17 = uv.x;
+    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S17, (_S16 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S17, (_S16 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_1 - _S16)) );
 }
 
 float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float3 direction, float gloss)
@@ -366,22 +359,22 @@ float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sa
 float3 skin_filmic(float3 light)
 {
     float3 x_2 = max(light - float3(0.00400000018998981f) , float3(0.0f) );
-    float3 _S21 = float3(6.19999980926513672f)  * x_2;
-    return x_2 * (_S21 + float3(0.5f) ) / (x_2 * (_S21 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
+    float3 _S18 = float3(6.19999980926513672f)  * x_2;
+    return x_2 * (_S18 + float3(0.5f) ) / (x_2 * (_S18 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S22;
+    float _S19;
     if(x <= 0.00313080009073019f)
     {
-        _S22 = 12.92000007629394531f * x;
+        _S19 = 12.92000007629394531f * x;
     }
     else
     {
-        _S22 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S19 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S22;
+    return _S19;
 }
 
 float3 skin_srgb_from_linear(float3 light)
@@ -392,16 +385,16 @@ float3 skin_srgb_from_linear(float3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S23;
+    float _S20;
     if(x <= 0.04044999927282333f)
     {
-        _S23 = x / 12.92000007629394531f;
+        _S20 = x / 12.92000007629394531f;
     }
     else
     {
-        _S23 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S20 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S23;
+    return _S20;
 }
 
 float3 skin_linear_from_srgb(float3 display)

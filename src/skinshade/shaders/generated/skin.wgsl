@@ -49,8 +49,9 @@ fn skin_add_mesh_diffusion(from_texture : mat3x3<f32>, from_mesh : mat3x3<f32>, 
 fn skin_relief_bump(m : f32, s : f32) -> f32
 {
     var _S1 : f32 = max(s, 9.99999971718068537e-10f);
-    var _S2 : f32 = min(abs(m) / _S1, 8.0f);
-    return _S1 * (0.39894229173660278f * exp(-0.5f * _S2 * _S2)) / (1.0f + _S2 * (1.25119507312774658f + _S2 * (0.58454132080078125f + _S2 * 0.06752368807792664f)));
+    var _S2 : f32 = max(1.0f - abs(m) / (4.40000009536743164f * _S1), 0.0f);
+    var t2_0 : f32 = _S2 * _S2;
+    return _S1 * t2_0 * t2_0 * (0.16452799737453461f + _S2 * (-1.55506408214569092f + _S2 * (7.10253477096557617f + _S2 * (-16.75164794921875f + _S2 * (22.75126266479492188f + _S2 * (-15.08054447174072266f + _S2 * 3.76787090301513672f))))));
 }
 
 fn skin_lengths(normals : mat3x3<f32>) -> vec3<f32>
@@ -60,7 +61,7 @@ fn skin_lengths(normals : mat3x3<f32>) -> vec3<f32>
 
 fn skin_cosines(normals : mat3x3<f32>, light : vec3<f32>, lengths : vec3<f32>) -> vec3<f32>
 {
-    return clamp(vec3<f32>(dot(normals[i32(0)], light), dot(normals[i32(1)], light), dot(normals[i32(2)], light)) / max(lengths, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
+    return clamp(vec3<f32>(dot(normals[i32(0)], light), dot(normals[i32(1)], light), dot(normals[i32(2)], light)) / lengths, vec3<f32>(-1.0f), vec3<f32>(1.0f));
 }
 
 fn skin_curvature_table(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, cos_theta : vec3<f32>, curvature_per_mm : f32) -> vec3<f32>
@@ -73,10 +74,8 @@ fn skin_curvature_table(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes :
 
 fn skin_lost_relief(lengths : vec3<f32>, cos_theta : vec3<f32>) -> vec3<f32>
 {
-    var _S5 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S5));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta * cos_theta, _S5));
-    return vec3<f32>(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x * sine_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y * sine_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z * sine_0.z));
+    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))) * (vec3<f32>(1.0f) - cos_theta * cos_theta), vec3<f32>(0.0f)));
+    return vec3<f32>(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z));
 }
 
 fn skin_direct_scalar(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, normals : mat3x3<f32>, light : vec3<f32>, curvature_per_mm : f32, gain : vec3<f32>) -> vec3<f32>
@@ -120,11 +119,10 @@ fn skin_directional_curvature(tensor_world : mat3x3<f32>, normal : vec3<f32>, li
 
 fn skin_energy_gain(albedo : vec3<f32>, rms_radius_mm : vec3<f32>, curvature_per_mm : vec3<f32>) -> vec3<f32>
 {
-    var _S6 : vec3<f32> = vec3<f32>(1.0f);
-    var absorbed_0 : vec3<f32> = _S6 - albedo;
-    var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm * max(curvature_per_mm, vec3<f32>(0.0f));
-    var bound_0 : vec3<f32> = u_0 * albedo / absorbed_0;
-    return _S6 + u_0 / sqrt(_S6 + bound_0 * bound_0);
+    var bent_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * rms_radius_mm * max(curvature_per_mm, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = albedo * bent_0;
+    var _S5 : vec3<f32> = vec3<f32>(1.0f);
+    return _S5 + (_S5 - albedo) * bent_0 / sqrt(_S5 + bound_0 * bound_0);
 }
 
 fn skin_smoothstep(p : f32) -> f32
@@ -145,23 +143,22 @@ fn skin_sharpened_shadow(shadow_filter : f32, sharpening : f32) -> f32
 
 fn skin_variance_shadow(mean_depth_mm : f32, mean_square_depth_mm2 : f32, depth_mm : f32) -> f32
 {
-    var _S7 : f32 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
-    var _S8 : f32 = max(depth_mm - mean_depth_mm, 0.0f);
-    return _S7 / (_S7 + _S8 * _S8);
+    var _S6 : f32 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    var _S7 : f32 = max(depth_mm - mean_depth_mm, 0.0f);
+    return _S6 / (_S6 + _S7 * _S7);
 }
 
 fn skin_sh_bands(sh : mat3x3<f32>, d : vec3<f32>) -> vec3<f32>
 {
-    var _S9 : f32 = d.y;
-    var _S10 : f32 = d.z;
-    var _S11 : f32 = d.x;
-    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S9 + sh[i32(0)].z * _S10 + sh[i32(1)].x * _S11), 1.09254848957061768f * (sh[i32(1)].y * _S11 * _S9 + sh[i32(1)].z * _S9 * _S10 + sh[i32(2)].y * _S11 * _S10) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S10 * _S10 - 1.0f) + 0.54627424478530884f * sh[i32(2)].z * (_S11 * _S11 - _S9 * _S9));
+    var _S8 : f32 = d.y;
+    var _S9 : f32 = d.z;
+    var _S10 : f32 = d.x;
+    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S8 + sh[i32(0)].z * _S9 + sh[i32(1)].x * _S10), 1.09254848957061768f * (sh[i32(1)].y * _S10 * _S8 + sh[i32(1)].z * _S8 * _S9 + sh[i32(2)].y * _S10 * _S9) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S9 * _S9 - dot(d, d)) + 0.54627424478530884f * sh[i32(2)].z * (_S10 * _S10 - _S8 * _S8));
 }
 
 fn skin_ambient_channel(sh : mat3x3<f32>, normal : vec3<f32>, band_transfer : vec3<f32>) -> f32
 {
-    var l_0 : f32 = skin_safe_length(normal);
-    return max(dot(skin_sh_bands(sh, normal / vec3<f32>(l_0)), vec3<f32>(1.0f, l_0, l_0 * l_0 * l_0) * band_transfer * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    return max(dot(skin_sh_bands(sh, normal), vec3<f32>(1.0f, 1.0f, skin_safe_length(normal)) * band_transfer * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 fn skin_ambient_irradiance(radiance_sh_red : mat3x3<f32>, radiance_sh_green : mat3x3<f32>, radiance_sh_blue : mat3x3<f32>, normals : mat3x3<f32>, band_transfer : mat3x3<f32>) -> vec3<f32>
@@ -248,13 +245,9 @@ fn skin_thickness(depth_map : texture_2d<f32>, depth_map_sampler : sampler, proj
 fn skin_transmittance(thickness_mm : f32, albedo : vec3<f32>, sigma_per_mm : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo * albedo;
-    var _S12 : vec3<f32> = vec3<f32>(1.0f);
-    var _S13 : vec3<f32> = vec3<f32>(2.0f);
-    var _S14 : vec3<f32> = _S13 * albedo;
-    var a_0 : vec3<f32> = (_S12 + a2_0) / _S14;
-    var b_0 : vec3<f32> = (_S12 - a2_0) / _S14;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm) * vec3<f32>(thickness_mm));
-    return _S13 * b_0 * decay_0 / (a_0 + b_0 - (a_0 - b_0) * decay_0 * decay_0);
+    var _S11 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S11 - a2_0) * decay_0 / (_S11 - a2_0 * decay_0 * decay_0);
 }
 
 fn skin_classic_transmittance(thickness_mm : f32, radius_mm : f32) -> f32
@@ -280,23 +273,23 @@ fn skin_specular_power(gloss : f32) -> f32
 
 fn skin_gloss_of_relief(gloss : f32, normal_length : f32) -> f32
 {
-    var l_1 : f32 = clamp(normal_length, 0.00100000004749745f, 1.0f);
+    var l_0 : f32 = clamp(normal_length, 0.00100000004749745f, 1.0f);
     var power_0 : f32 = skin_specular_power(gloss);
-    return log2(max(l_1 * power_0 / (l_1 + power_0 * (1.0f - l_1)), 1.0f)) / 13.0f;
+    return log2(max(l_0 * power_0 / (l_0 + power_0 * (1.0f - l_0)), 1.0f)) / 13.0f;
 }
 
 fn skin_gloss_from_roughness(roughness : f32) -> f32
 {
-    var _S15 : f32 = max(roughness, 0.00100000004749745f);
-    var r2_0 : f32 = _S15 * _S15;
+    var _S12 : f32 = max(roughness, 0.00100000004749745f);
+    var r2_0 : f32 = _S12 * _S12;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 fn skin_lobe(n_dot_h : f32, n_dot_l : f32, n_dot_v : f32, power : f32) -> f32
 {
     var k_0 : f32 = skin_rsqrt_0(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    var _S16 : f32 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S16 * n_dot_l) * (k_0 + _S16 * n_dot_v)));
+    var _S13 : f32 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S13 * n_dot_l) * (k_0 + _S13 * n_dot_v)));
 }
 
 fn skin_specular(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, gloss : f32, reflectance : f32) -> f32
@@ -330,19 +323,19 @@ fn skin_diffuse_share(n_dot_v : f32, gloss : f32, reflectance : f32) -> f32
 
 fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
 {
-    var _S17 : f32 = direction.x;
-    var _S18 : f32 = direction.z;
-    var level_0 : f32 = sqrt(_S17 * _S17 + _S18 * _S18);
+    var _S14 : f32 = direction.x;
+    var _S15 : f32 = direction.z;
+    var level_0 : f32 = sqrt(_S14 * _S14 + _S15 * _S15);
     var x_2 : f32;
     if(level_0 > 0.0f)
     {
-        x_2 = _S17;
+        x_2 = _S14;
     }
     else
     {
         x_2 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S18, x_2) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S15, x_2) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
 }
 
 fn skin_reflection_level(power : f32) -> f32
@@ -353,10 +346,10 @@ fn skin_reflection_level(power : f32) -> f32
 fn skin_preconvolved(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, uv : vec2<f32>, power : f32) -> vec3<f32>
 {
     var level_1 : f32 = skin_reflection_level(power);
-    var _S19 : f32 = min(floor(level_1), 3.0f);
+    var _S16 : f32 = min(floor(level_1), 3.0f);
     var row_1 : f32 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    var _S20 : f32 = uv.x;
-    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S20, (_S19 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S20, (_S19 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S19)));
+    var _S17 : f32 = uv.x;
+    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S17, (_S16 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S17, (_S16 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S16)));
 }
 
 fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, gloss : f32) -> vec3<f32>
@@ -369,22 +362,22 @@ fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler 
 fn skin_filmic(light : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S21 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S21 + vec3<f32>(0.5f)) / (x_3 * (_S21 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S18 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S18 + vec3<f32>(0.5f)) / (x_3 * (_S18 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 fn skin_srgb_curve(x : f32) -> f32
 {
-    var _S22 : f32;
+    var _S19 : f32;
     if(x <= 0.00313080009073019f)
     {
-        _S22 = 12.92000007629394531f * x;
+        _S19 = 12.92000007629394531f * x;
     }
     else
     {
-        _S22 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S19 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S22;
+    return _S19;
 }
 
 fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
@@ -395,16 +388,16 @@ fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
 
 fn skin_linear_curve(x : f32) -> f32
 {
-    var _S23 : f32;
+    var _S20 : f32;
     if(x <= 0.04044999927282333f)
     {
-        _S23 = x / 12.92000007629394531f;
+        _S20 = x / 12.92000007629394531f;
     }
     else
     {
-        _S23 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S20 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S23;
+    return _S20;
 }
 
 fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>

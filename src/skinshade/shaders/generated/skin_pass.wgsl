@@ -65,10 +65,6 @@ struct ScatterBlock_std140_0
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
-@binding(7) @group(0) var transfer_lut_0 : texture_2d<f32>;
-
-@binding(11) @group(0) var lut_sampler_0 : sampler;
-
 struct LightBlock_std430_0
 {
     @align(16) view_x_0 : vec4<f32>,
@@ -89,19 +85,25 @@ struct LightBlock_std430_0
 
 @binding(3) @group(0) var<storage, read> lights_0 : array<LightBlock_std430_0>;
 
-@binding(21) @group(0) var moments_0 : texture_2d_array<f32>;
+@binding(22) @group(0) var moments_0 : texture_2d_array<f32>;
+
+@binding(20) @group(0) var depth_sampler_0 : sampler;
 
 @binding(4) @group(0) var<storage, read> taps_0 : array<vec2<f32>>;
 
-@binding(20) @group(0) var depths_0 : texture_2d_array<f32>;
+@binding(21) @group(0) var depths_0 : texture_2d_array<f32>;
 
 @binding(9) @group(0) var classic_lut_0 : texture_2d<f32>;
+
+@binding(11) @group(0) var lut_sampler_0 : sampler;
 
 @binding(10) @group(0) var classic_shadow_lut_0 : texture_2d<f32>;
 
 @binding(6) @group(0) var sphere_lut_0 : texture_2d<f32>;
 
 @binding(5) @group(0) var ring_lut_0 : texture_2d<f32>;
+
+@binding(7) @group(0) var transfer_lut_0 : texture_2d<f32>;
 
 @binding(8) @group(0) var shadow_lut_0 : texture_2d<f32>;
 
@@ -124,6 +126,8 @@ fn rsqrt_0( x_0 : f32) -> f32
 
 @id(6) override SHADOW_FILTER_0 : i32 = i32(0);
 
+@id(10) override LAMPS_0 : i32 = i32(1);
+
 @id(3) override TAPS_0 : i32 = i32(8);
 
 @id(4) override LIGHTS_0 : i32 = i32(1);
@@ -145,6 +149,7 @@ struct Fragment_0
     @location(7) h_0 : vec4<f32>,
     @location(8) i_0 : vec4<f32>,
     @location(9) j_0 : vec4<f32>,
+    @location(10) k_0 : vec4<f32>,
 };
 
 struct vertexInput_0
@@ -159,6 +164,7 @@ struct vertexInput_0
     @location(7) h_1 : vec4<f32>,
     @location(8) i_1 : vec4<f32>,
     @location(9) j_1 : vec4<f32>,
+    @location(10) k_1 : vec4<f32>,
 };
 
 @vertex
@@ -177,6 +183,7 @@ fn vertex_main( _S1 : vertexInput_0) -> Fragment_0
     o_0.h_0 = _S1.h_1;
     o_0.i_0 = _S1.i_1;
     o_0.j_0 = _S1.j_1;
+    o_0.k_0 = _S1.k_1;
     return o_0;
 }
 
@@ -256,6 +263,7 @@ struct Surface_0
      albedo_1 : vec3<f32>,
      tint_0 : vec3<f32>,
      diffused_curvature_per_mm_0 : vec3<f32>,
+     unexplained_0 : vec3<f32>,
      visibility_0 : vec3<f32>,
      through_0 : vec3<f32>,
      bounced_0 : vec3<f32>,
@@ -275,6 +283,7 @@ fn surface_of_0( o_1 : Fragment_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32
     s_0.tensor_0 = mat3x3<f32>(o_1.d_0.yzw, vec3<f32>(o_1.d_0.z, o_1.e_0.xy), vec3<f32>(o_1.d_0.w, o_1.e_0.yz));
     s_0.diffused_0 = mat3x3<f32>(vec3<f32>(o_1.e_0.w, o_1.f_0.xy), vec3<f32>(o_1.f_0.zw, o_1.g_0.x), o_1.g_0.yzw) * (1.0f / _S4);
     s_0.diffused_curvature_per_mm_0 = o_1.h_0.xyz;
+    s_0.unexplained_0 = o_1.k_0.xyz;
     s_0.visibility_0 = vec3<f32>(o_1.h_0.w, o_1.i_0.xy);
     s_0.through_0 = vec3<f32>(o_1.i_0.zw, o_1.j_0.x);
     s_0.bounced_0 = o_1.j_0.yzw;
@@ -400,27 +409,9 @@ fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x
     return mat3x3<f32>(skin_displaced_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_2), skin_displaced_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_2));
 }
 
-fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_1 : vec3<f32>,  light_0 : vec3<f32>) -> vec2<f32>
-{
-    var tangential_0 : vec3<f32> = light_0 - normal_1 * vec3<f32>(dot(light_0, normal_1));
-    var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
-    var total_0 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
-    return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
-}
-
-fn skin_transfer_0( transfer_0 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
-{
-    return (textureSampleLevel((transfer_0), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
-}
-
 fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
 {
     return vec3<f32>(skin_safe_length_0(normals_0[i32(0)]), skin_safe_length_0(normals_0[i32(1)]), skin_safe_length_0(normals_0[i32(2)]));
-}
-
-fn skin_unexplained_length_0( transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_0 : f32) -> vec3<f32>
-{
-    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, total_per_mm_0), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
 }
 
 struct Diffused_0
@@ -440,114 +431,70 @@ fn diffused_surface_0( s_1 : Surface_0) -> Diffused_0
     if(TIER_0 == i32(2))
     {
         d_2.with_mesh_0 = skin_add_mesh_diffusion_0(d_2.normals_1, s_1.diffused_0, s_1.mesh_normal_0);
-        d_2.relief_length_0 = skin_unexplained_length_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_2.normals_1, s_1.diffused_0, skin_directional_curvature_0(s_1.tensor_0, s_1.mesh_normal_0, s_1.view_0).y);
+        d_2.relief_length_0 = skin_lengths_0(d_2.normals_1) * s_1.unexplained_0;
     }
     return d_2;
 }
 
 fn skin_energy_gain_0( albedo_2 : vec3<f32>,  rms_radius_mm_1 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
 {
+    var bent_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * rms_radius_mm_1 * max(curvature_per_mm_2, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = albedo_2 * bent_0;
     var _S11 : vec3<f32> = vec3<f32>(1.0f);
-    var absorbed_0 : vec3<f32> = _S11 - albedo_2;
-    var u_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * absorbed_0 * rms_radius_mm_1 * max(curvature_per_mm_2, vec3<f32>(0.0f));
-    var bound_0 : vec3<f32> = u_0 * albedo_2 / absorbed_0;
-    return _S11 + u_0 / sqrt(_S11 + bound_0 * bound_0);
+    return _S11 + (_S11 - albedo_2) * bent_0 / sqrt(_S11 + bound_0 * bound_0);
 }
 
-fn moments_at_0( at_0 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
+struct Between_0
 {
-    var place_0 : vec2<f32> = clamp(at_0 - vec2<f32>(0.5f), vec2<f32>(0.0f), vec2<f32>(1023.0f));
-    var corner_0 : vec2<f32> = min(floor(place_0), vec2<f32>(1022.0f));
-    var f_2 : vec2<f32> = place_0 - corner_0;
-    var _S12 : vec2<i32> = vec2<i32>(corner_0);
-    var _S13 : vec4<i32> = vec4<i32>(_S12, layer_0, i32(0));
-    var _S14 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(0)), layer_0, i32(0));
-    var _S15 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(0), i32(1)), layer_0, i32(0));
-    var _S16 : vec4<i32> = vec4<i32>(_S12 + vec2<i32>(i32(1), i32(1)), layer_0, i32(0));
-    var _S17 : vec2<f32> = vec2<f32>(f_2.x);
-    return mix(mix((textureLoad((moments_0), ((_S13)).xy, i32(((_S13)).z), ((_S13)).w).xy).xy, (textureLoad((moments_0), ((_S14)).xy, i32(((_S14)).z), ((_S14)).w).xy).xy, _S17), mix((textureLoad((moments_0), ((_S15)).xy, i32(((_S15)).z), ((_S15)).w).xy).xy, (textureLoad((moments_0), ((_S16)).xy, i32(((_S16)).z), ((_S16)).w).xy).xy, _S17), vec2<f32>(f_2.y));
+     corner_0 : vec2<f32>,
+     share_1 : vec2<f32>,
+};
+
+fn between_texels_0( at_0 : vec2<f32>) -> Between_0
+{
+    var _S12 : vec2<f32> = vec2<f32>(1024.0f);
+    var texels_0 : vec2<f32> = at_0 * _S12 - vec2<f32>(0.5f);
+    var first_0 : vec2<f32> = floor(texels_0);
+    var b_2 : Between_0;
+    b_2.corner_0 = (first_0 + vec2<f32>(1.0f)) / _S12;
+    b_2.share_1 = texels_0 - first_0;
+    return b_2;
+}
+
+fn filtered_0( values_0 : vec4<f32>,  share_2 : vec2<f32>) -> f32
+{
+    var _S13 : f32 = share_2.x;
+    return mix(mix(values_0.w, values_0.z, _S13), mix(values_0.x, values_0.y, _S13), share_2.y);
+}
+
+fn moments_at_0( at_1 : vec2<f32>,  layer_0 : i32) -> vec2<f32>
+{
+    var b_3 : Between_0 = between_texels_0(at_1);
+    var corner_1 : vec3<f32> = vec3<f32>(b_3.corner_0, f32(layer_0));
+    var _S14 : vec4<f32> = (textureGather((i32(0)), (moments_0), (depth_sampler_0), ((corner_1)).xy, u32(((corner_1)).z)));
+    var _S15 : f32 = filtered_0(_S14, b_3.share_1);
+    var _S16 : vec4<f32> = (textureGather((i32(1)), (moments_0), (depth_sampler_0), ((corner_1)).xy, u32(((corner_1)).z)));
+    return vec2<f32>(_S15, filtered_0(_S16, b_3.share_1));
 }
 
 fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_1 : f32) -> f32
 {
-    var _S18 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
-    var _S19 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
-    return _S18 / (_S18 + _S19 * _S19);
+    var _S17 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S18 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
+    return _S17 / (_S17 + _S18 * _S18);
 }
 
-fn depth_at_0( at_1 : vec2<f32>,  layer_1 : i32) -> f32
+fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_1 : i32) -> f32
 {
-    var inside_0 : bool;
-    if((all((at_1 >= vec2<f32>(0.0f)))))
-    {
-        inside_0 = (all((at_1 <= vec2<f32>(1023.0f))));
-    }
-    else
-    {
-        inside_0 = false;
-    }
-    var _S20 : vec4<i32> = vec4<i32>(vec2<i32>(clamp(at_1, vec2<f32>(0.0f), vec2<f32>(1023.0f))), layer_1, i32(0));
-    var found_0 : f32 = (textureLoad((depths_0), ((_S20)).xy, i32(((_S20)).z), ((_S20)).w).x);
-    var _S21 : f32;
-    if(inside_0)
-    {
-        _S21 = found_0;
-    }
-    else
-    {
-        _S21 = 1.00000001504746622e+30f;
-    }
-    return _S21;
+    var b_4 : Between_0 = between_texels_0(at_2);
+    var _S19 : vec3<f32> = vec3<f32>(b_4.corner_0, f32(layer_1));
+    var _S20 : vec4<f32> = (textureGather((i32(0)), (depths_0), (depth_sampler_0), ((_S19)).xy, u32(((_S19)).z)));
+    return filtered_0(select(vec4<f32>(0.0f), vec4<f32>(1.0f), _S20 >= vec4<f32>(depth_0)), b_4.share_1);
 }
 
-fn compared_0( at_2 : vec2<f32>,  depth_0 : f32,  layer_2 : i32) -> f32
+fn skin_inward_offset_0( position_mm_1 : vec3<f32>,  normal_1 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
 {
-    var _S22 : vec2<f32> = at_2 - vec2<f32>(0.5f);
-    var corner_1 : vec2<f32> = floor(_S22);
-    var f_3 : vec2<f32> = _S22 - corner_1;
-    var a_2 : f32;
-    if((depth_at_0(corner_1, layer_2)) >= depth_0)
-    {
-        a_2 = 1.0f;
-    }
-    else
-    {
-        a_2 = 0.0f;
-    }
-    var b_2 : f32;
-    if((depth_at_0(corner_1 + vec2<f32>(1.0f, 0.0f), layer_2)) >= depth_0)
-    {
-        b_2 = 1.0f;
-    }
-    else
-    {
-        b_2 = 0.0f;
-    }
-    var c_2 : f32;
-    if((depth_at_0(corner_1 + vec2<f32>(0.0f, 1.0f), layer_2)) >= depth_0)
-    {
-        c_2 = 1.0f;
-    }
-    else
-    {
-        c_2 = 0.0f;
-    }
-    var d_3 : f32;
-    if((depth_at_0(corner_1 + vec2<f32>(1.0f, 1.0f), layer_2)) >= depth_0)
-    {
-        d_3 = 1.0f;
-    }
-    else
-    {
-        d_3 = 0.0f;
-    }
-    var _S23 : f32 = f_3.x;
-    return mix(mix(a_2, b_2, _S23), mix(c_2, d_3, _S23), f_3.y);
-}
-
-fn skin_inward_offset_0( position_mm_1 : vec3<f32>,  normal_2 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
-{
-    return position_mm_1 - normal_2 * vec3<f32>(offset_mm_0);
+    return position_mm_1 - normal_1 * vec3<f32>(offset_mm_0);
 }
 
 struct Incident_0
@@ -558,12 +505,12 @@ struct Incident_0
      thickness_mm_0 : f32,
 };
 
-fn place_in_map_0( _S24 : i32,  _S25 : vec3<f32>) -> vec4<f32>
+fn place_in_map_0( _S21 : i32,  _S22 : vec3<f32>) -> vec4<f32>
 {
-    var p_1 : vec4<f32> = vec4<f32>(_S25, 1.0f);
-    var _S26 : f32 = dot(lights_0[_S24].view_z_0, p_1);
-    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S24].view_x_0, p_1), dot(lights_0[_S24].view_y_0, p_1), _S26, 1.0f);
-    var w_0 : f32 = dot(lights_0[_S24].clip_w_1, seen_0);
+    var p_1 : vec4<f32> = vec4<f32>(_S22, 1.0f);
+    var _S23 : f32 = dot(lights_0[_S21].view_z_0, p_1);
+    var seen_0 : vec4<f32> = vec4<f32>(dot(lights_0[_S21].view_x_0, p_1), dot(lights_0[_S21].view_y_0, p_1), _S23, 1.0f);
+    var w_0 : f32 = dot(lights_0[_S21].clip_w_1, seen_0);
     var w_1 : f32;
     if((abs(w_0)) < 9.99999971718068537e-10f)
     {
@@ -573,104 +520,142 @@ fn place_in_map_0( _S24 : i32,  _S25 : vec3<f32>) -> vec4<f32>
     {
         w_1 = w_0;
     }
-    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S24].clip_x_1, seen_0), dot(lights_0[_S24].clip_y_1, seen_0)) / vec2<f32>(w_1);
-    return vec4<f32>(vec2<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y) * vec2<f32>(1024.0f), - _S26, abs(w_1) * 2.0f / (lights_0[_S24].clip_x_1.x * 1024.0f));
+    var ndc_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S21].clip_x_1, seen_0), dot(lights_0[_S21].clip_y_1, seen_0)) / vec2<f32>(w_1);
+    return vec4<f32>(0.5f + 0.5f * ndc_0.x, 0.5f - 0.5f * ndc_0.y, - _S23, abs(w_1) * 2.0f / lights_0[_S21].clip_x_1.x);
 }
 
-fn wide_filter_0( _S27 : i32,  _S28 : i32,  _S29 : Surface_0,  _S30 : vec3<f32>) -> f32
+fn wide_filter_0( _S24 : i32,  _S25 : i32,  _S26 : Surface_0,  _S27 : vec3<f32>) -> f32
 {
-    var cosine_0 : f32 = dot(_S29.mesh_normal_0, _S30);
-    var _S31 : f32 = max(- cosine_0, 0.0f);
-    var _S32 : vec4<f32> = place_in_map_0(_S27, _S29.position_0 + skin_unit_vectors_0(_S30 - _S29.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S31 / max(_S29.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
+    var cosine_0 : f32 = dot(_S26.mesh_normal_0, _S27);
+    var _S28 : f32 = max(- cosine_0, 0.0f);
+    var _S29 : vec4<f32> = place_in_map_0(_S24, _S26.position_0 + skin_unit_vectors_0(_S27 - _S26.mesh_normal_0 * vec3<f32>(cosine_0)) * vec3<f32>(min(_S28 / max(_S26.curvature_per_mm_0, 0.00100000004749745f), 8.0f)));
     if(SHADOW_FILTER_0 == i32(1))
     {
-        var mean_0 : vec2<f32> = moments_at_0(_S32.xy, _S28 / i32(2));
-        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S32.z - 0.40000000596046448f - lights_0[_S27].depth_mm_0.x);
+        var mean_0 : vec2<f32> = moments_at_0(_S29.xy, _S25 / i32(2));
+        return skin_variance_shadow_0(mean_0.x, mean_0.y, _S29.z - 0.40000000596046448f - lights_0[_S24].depth_mm_0.x);
     }
-    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S29.mesh_normal_0 + _S30 * vec3<f32>(_S31));
-    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S27].view_x_0.xyz, upright_0), - dot(lights_0[_S27].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S27].view_z_0.xyz, upright_0), 0.00100000004749745f));
-    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S29.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
-    var _S33 : f32 = _S32.w;
-    var _S34 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S33, 1024.0f);
-    var tap_0 : i32 = i32(0);
-    var total_1 : f32 = 0.0f;
+    var upright_0 : vec3<f32> = skin_unit_vectors_0(_S26.mesh_normal_0 + _S27 * vec3<f32>(_S28));
+    var slope_0 : vec2<f32> = vec2<f32>(dot(lights_0[_S24].view_x_0.xyz, upright_0), - dot(lights_0[_S24].view_y_0.xyz, upright_0)) / vec2<f32>(max(dot(lights_0[_S24].view_z_0.xyz, upright_0), 0.00100000004749745f));
+    var slope_1 : vec2<f32> = slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + _S26.curvature_per_mm_0 / 0.03999999910593033f)), 1.0f));
+    var _S30 : f32 = _S29.w;
+    var _S31 : f32 = min(0.5f * skin_block_0.shadow_filter_width_mm_0 / _S30, 1.0f);
+    var first_1 : i32 = i32(0);
+    var total_0 : f32 = 0.0f;
     for(;;)
     {
-        if(tap_0 < i32(48))
+        if(first_1 < i32(48))
         {
         }
         else
         {
             break;
         }
-        var across_0 : vec2<f32> = taps_0[tap_0] * vec2<f32>(_S34);
-        var total_2 : f32 = total_1 + compared_0(_S32.xy + across_0, _S32.z - 0.40000000596046448f + dot(slope_1 * vec2<f32>(_S33), across_0), _S28);
-        tap_0 = tap_0 + i32(1);
-        total_1 = total_2;
+        var _S32 : vec2<f32> = vec2<f32>(_S31);
+        var across_0 : vec2<f32> = taps_0[first_1] * _S32;
+        var _S33 : f32 = _S29.z - 0.40000000596046448f;
+        var _S34 : vec2<f32> = slope_1 * vec2<f32>(_S30);
+        var _S35 : vec2<f32> = _S29.xy;
+        var _S36 : f32 = compared_0(_S35 + across_0, _S33 + dot(_S34, across_0), _S25);
+        var total_1 : f32 = total_0 + _S36;
+        var across_1 : vec2<f32> = taps_0[first_1 + i32(1)] * _S32;
+        var _S37 : f32 = compared_0(_S35 + across_1, _S33 + dot(_S34, across_1), _S25);
+        var total_2 : f32 = total_1 + _S37;
+        var across_2 : vec2<f32> = taps_0[first_1 + i32(2)] * _S32;
+        var _S38 : f32 = compared_0(_S35 + across_2, _S33 + dot(_S34, across_2), _S25);
+        var total_3 : f32 = total_2 + _S38;
+        var across_3 : vec2<f32> = taps_0[first_1 + i32(3)] * _S32;
+        var _S39 : f32 = compared_0(_S35 + across_3, _S33 + dot(_S34, across_3), _S25);
+        var total_4 : f32 = total_3 + _S39;
+        var across_4 : vec2<f32> = taps_0[first_1 + i32(4)] * _S32;
+        var _S40 : f32 = compared_0(_S35 + across_4, _S33 + dot(_S34, across_4), _S25);
+        var total_5 : f32 = total_4 + _S40;
+        var across_5 : vec2<f32> = taps_0[first_1 + i32(5)] * _S32;
+        var _S41 : f32 = compared_0(_S35 + across_5, _S33 + dot(_S34, across_5), _S25);
+        var total_6 : f32 = total_5 + _S41;
+        var across_6 : vec2<f32> = taps_0[first_1 + i32(6)] * _S32;
+        var _S42 : f32 = compared_0(_S35 + across_6, _S33 + dot(_S34, across_6), _S25);
+        var total_7 : f32 = total_6 + _S42;
+        var across_7 : vec2<f32> = taps_0[first_1 + i32(7)] * _S32;
+        var _S43 : f32 = compared_0(_S35 + across_7, _S33 + dot(_S34, across_7), _S25);
+        var total_8 : f32 = total_7 + _S43;
+        first_1 = first_1 + i32(8);
+        total_0 = total_8;
     }
-    return total_1 / 48.0f;
+    return total_0 / 48.0f;
 }
 
-fn thickness_0( _S35 : i32,  _S36 : i32,  _S37 : Surface_0) -> f32
+fn thickness_0( _S44 : i32,  _S45 : i32,  _S46 : Surface_0,  _S47 : i32) -> f32
 {
-    var _S38 : vec4<f32> = place_in_map_0(_S35, skin_inward_offset_0(_S37.position_0, _S37.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
-    var _S39 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S38.w;
-    var tap_1 : i32 = i32(0);
-    var total_3 : f32 = 0.0f;
+    var _S48 : vec4<f32> = place_in_map_0(_S44, skin_inward_offset_0(_S46.position_0, _S46.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
+    var _S49 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S48.w;
+    var first_2 : i32 = i32(0);
+    var total_9 : f32 = 0.0f;
     for(;;)
     {
-        if(tap_1 < TAPS_0)
+        if(first_2 < _S47)
         {
         }
         else
         {
             break;
         }
-        var found_1 : f32 = depth_at_0(floor(_S38.xy + taps_0[i32(48) + tap_1] * vec2<f32>(_S39)), _S36);
-        var _S40 : f32;
-        if(found_1 < 1.00000001504746622e+30f)
-        {
-            _S40 = max(_S38.z - found_1, 0.0f);
-        }
-        else
-        {
-            _S40 = 0.0f;
-        }
-        var total_4 : f32 = total_3 + _S40;
-        tap_1 = tap_1 + i32(1);
-        total_3 = total_4;
+        var _S50 : vec2<f32> = _S48.xy;
+        var _S51 : i32 = i32(48) + first_2;
+        var _S52 : vec2<f32> = vec2<f32>(_S49);
+        var _S53 : f32 = f32(_S45);
+        var at_3 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51] * _S52, _S53);
+        var _S54 : f32 = _S48.z;
+        var at_4 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(1)] * _S52, _S53);
+        var at_5 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(2)] * _S52, _S53);
+        var at_6 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(3)] * _S52, _S53);
+        var at_7 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(4)] * _S52, _S53);
+        var at_8 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(5)] * _S52, _S53);
+        var at_9 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(6)] * _S52, _S53);
+        var at_10 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(7)] * _S52, _S53);
+        var total_10 : f32 = total_9 + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_3)).xy, i32(((at_3)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_4)).xy, i32(((at_4)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_5)).xy, i32(((at_5)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_6)).xy, i32(((at_6)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_7)).xy, i32(((at_7)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_8)).xy, i32(((at_8)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_9)).xy, i32(((at_9)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_10)).xy, i32(((at_10)).z), (0.0f)).x), 0.0f);
+        first_2 = first_2 + i32(8);
+        total_9 = total_10;
     }
-    return total_3 / f32(max(TAPS_0, i32(1)));
+    return total_9 / f32(max(_S47, i32(1)));
 }
 
 fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
 {
     var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
-    var found_2 : Incident_0;
-    var _S41 : vec3<f32> = lights_0[index_0].direction_0.xyz;
-    found_2.to_light_0 = _S41;
+    var found_0 : Incident_0;
+    var _S55 : vec3<f32> = lights_0[index_0].direction_0.xyz;
+    found_0.to_light_0 = _S55;
+    var through_1 : bool;
+    if(LAMPS_0 > i32(0))
+    {
+        through_1 = (lights_0[index_0].near_0) > 0.5f;
+    }
+    else
+    {
+        through_1 = false;
+    }
     var irradiance_2 : vec3<f32>;
-    if((lights_0[index_0].near_0) > 0.5f)
+    if(through_1)
     {
         var away_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_2.position_0;
-        var _S42 : vec3<f32> = skin_unit_vectors_0(away_0);
-        found_2.to_light_0 = _S42;
+        var _S56 : vec3<f32> = skin_unit_vectors_0(away_0);
+        found_0.to_light_0 = _S56;
         var outer_0 : f32 = lights_0[index_0].cone_cosines_0.x;
-        var t_1 : f32 = saturate((dot(_S42, _S41) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
+        var t_1 : f32 = saturate((dot(_S56, _S55) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
         irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].target_distance_mm_0 * lights_0[index_0].target_distance_mm_0 / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
     }
     else
     {
         irradiance_2 = irradiance_1;
     }
-    found_2.radiance_0 = irradiance_2 / vec3<f32>(3.14159274101257324f);
-    var cosine_1 : f32 = dot(s_2.mesh_normal_0, found_2.to_light_0);
-    found_2.shadow_filter_0 = 0.0f;
+    found_0.radiance_0 = irradiance_2 / vec3<f32>(3.14159274101257324f);
+    var cosine_1 : f32 = dot(s_2.mesh_normal_0, found_0.to_light_0);
+    found_0.shadow_filter_0 = 0.0f;
     if(cosine_1 > -0.60000002384185791f)
     {
-        found_2.shadow_filter_0 = wide_filter_0(index_0, i32(2) * index_0, s_2, found_2.to_light_0);
+        var _S57 : f32 = wide_filter_0(index_0, i32(2) * index_0, s_2, found_0.to_light_0);
+        found_0.shadow_filter_0 = _S57;
     }
-    found_2.thickness_mm_0 = 1000.0f;
     var through_below_0 : f32;
     if(SHADING_0 == i32(1))
     {
@@ -680,26 +665,16 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     {
         through_below_0 = 0.0f;
     }
-    var through_1 : bool;
-    if(VIEW_0 == i32(4))
+    if(cosine_1 < 0.5f)
     {
-        through_1 = true;
-    }
-    else
-    {
-        through_1 = (dot(s_2.blurred_0, found_2.to_light_0)) < through_below_0;
-    }
-    var _S43 : bool;
-    if(TAPS_0 > i32(0))
-    {
-        _S43 = cosine_1 < 0.5f;
-    }
-    else
-    {
-        _S43 = false;
-    }
-    if(_S43)
-    {
+        if(VIEW_0 == i32(4))
+        {
+            through_1 = true;
+        }
+        else
+        {
+            through_1 = (dot(s_2.blurred_0, found_0.to_light_0)) < through_below_0;
+        }
     }
     else
     {
@@ -707,9 +682,24 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     }
     if(through_1)
     {
-        found_2.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_2);
+        var _S58 : i32 = i32(2) * index_0 + i32(1);
+        var _S59 : i32;
+        if(through_1)
+        {
+            _S59 = TAPS_0;
+        }
+        else
+        {
+            _S59 = i32(0);
+        }
+        through_below_0 = thickness_0(index_0, _S58, s_2, _S59);
     }
-    return found_2;
+    else
+    {
+        through_below_0 = 1000.0f;
+    }
+    found_0.thickness_mm_0 = through_below_0;
+    return found_0;
 }
 
 fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
@@ -726,13 +716,9 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_0 : f32,  radius_
 fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
 {
     var a2_0 : vec3<f32> = albedo_3 * albedo_3;
-    var _S44 : vec3<f32> = vec3<f32>(1.0f);
-    var _S45 : vec3<f32> = vec3<f32>(2.0f);
-    var _S46 : vec3<f32> = _S45 * albedo_3;
-    var a_3 : vec3<f32> = (_S44 + a2_0) / _S46;
-    var b_3 : vec3<f32> = (_S44 - a2_0) / _S46;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    return _S45 * b_3 * decay_0 / (a_3 + b_3 - (a_3 - b_3) * decay_0 * decay_0);
+    var _S60 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S60 - a2_0) * decay_0 / (_S60 - a2_0 * decay_0 * decay_0);
 }
 
 fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_1 : f32) -> vec3<f32>
@@ -740,14 +726,14 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
     return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_1, 0.0f));
 }
 
-fn light_through_0( s_3 : Surface_0,  light_1 : Incident_0) -> vec3<f32>
+fn light_through_0( s_3 : Surface_0,  light_0 : Incident_0) -> vec3<f32>
 {
-    var n_dot_l_2 : f32 = dot(s_3.blurred_0, light_1.to_light_0);
+    var n_dot_l_2 : f32 = dot(s_3.blurred_0, light_0.to_light_0);
     if(SHADING_0 == i32(1))
     {
-        return vec3<f32>(skin_classic_deep_scatter_0(light_1.thickness_mm_0, n_dot_l_2, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
+        return vec3<f32>(skin_classic_deep_scatter_0(light_0.thickness_mm_0, n_dot_l_2, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
     }
-    return skin_direct_deep_scatter_0(skin_transmittance_0(light_1.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_2, skin_block_0.deep_scatter_strength_0);
+    return skin_direct_deep_scatter_0(skin_transmittance_0(light_0.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_2, skin_block_0.deep_scatter_strength_0);
 }
 
 fn skin_smoothstep_0( p_2 : f32) -> f32
@@ -766,12 +752,12 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
     return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
 }
 
-fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_2 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
 {
-    var blurred_cosine_0 : f32 = dot(blurred_2, light_2);
-    var k_0 : f32 = saturate(1.0f - blurred_cosine_0);
-    var k_1 : f32 = k_0 * k_0;
-    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_1)))), light_2), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_1))), light_2))) + ((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+    var blurred_cosine_0 : f32 = dot(blurred_2, light_1);
+    var k_2 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_3 : f32 = k_2 * k_2;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_3)))), light_1), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_3))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_3)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
 }
 
 fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_3 : f32,  n_dot_l_3 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
@@ -779,74 +765,86 @@ fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  l
     return (textureSampleLevel((lut_1), (lut_sampler_2), (saturate((vec2<f32>(shadow_filter_3, max(n_dot_l_3, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_1.xz) * lut_axes_1.yw)), (0.0f))).xyz;
 }
 
-fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_3 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
+fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
 {
-    return clamp(vec3<f32>(dot(normals_2[i32(0)], light_3), dot(normals_2[i32(1)], light_3), dot(normals_2[i32(2)], light_3)) / max(lengths_0, vec3<f32>(9.99999971718068537e-10f)), vec3<f32>(-1.0f), vec3<f32>(1.0f));
+    return clamp(vec3<f32>(dot(normals_2[i32(0)], light_2), dot(normals_2[i32(1)], light_2), dot(normals_2[i32(2)], light_2)) / lengths_0, vec3<f32>(-1.0f), vec3<f32>(1.0f));
 }
 
 fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
 {
     var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
-    var _S47 : vec2<f32> = lut_axes_2.xz;
-    var _S48 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S47) * _S48)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S47) * _S48)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S47) * _S48)), (0.0f))).xyz.z);
+    var _S61 : vec2<f32> = lut_axes_2.xz;
+    var _S62 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S61) * _S62)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S61) * _S62)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S61) * _S62)), (0.0f))).xyz.z);
 }
 
 fn skin_relief_bump_0( m_0 : f32,  s_4 : f32) -> f32
 {
-    var _S49 : f32 = max(s_4, 9.99999971718068537e-10f);
-    var _S50 : f32 = min(abs(m_0) / _S49, 8.0f);
-    return _S49 * (0.39894229173660278f * exp(-0.5f * _S50 * _S50)) / (1.0f + _S50 * (1.25119507312774658f + _S50 * (0.58454132080078125f + _S50 * 0.06752368807792664f)));
+    var _S63 : f32 = max(s_4, 9.99999971718068537e-10f);
+    var _S64 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S63), 0.0f);
+    var t2_0 : f32 = _S64 * _S64;
+    return _S63 * t2_0 * t2_0 * (0.16452799737453461f + _S64 * (-1.55506408214569092f + _S64 * (7.10253477096557617f + _S64 * (-16.75164794921875f + _S64 * (22.75126266479492188f + _S64 * (-15.08054447174072266f + _S64 * 3.76787090301513672f))))));
 }
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
 {
-    var _S51 : vec3<f32> = vec3<f32>(0.0f);
-    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))), _S51));
-    var sine_0 : vec3<f32> = sqrt(max(vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1, _S51));
-    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x * sine_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y * sine_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z * sine_0.z));
+    var slope_2 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))) * (vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1), vec3<f32>(0.0f)));
+    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_2.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_2.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_2.z));
 }
 
-fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_4 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_3 : vec3<f32>,  curvature_per_mm_5 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
 {
     var lengths_2 : vec3<f32> = skin_lengths_0(normals_3);
-    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_3, light_4, lengths_2);
+    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_3, light_3, lengths_2);
     return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_4, lut_axes_3, cos_theta_2, abs(curvature_per_mm_5)) + skin_lost_relief_0(lengths_2, cos_theta_2));
 }
 
-fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  normals_4 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_1 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_2 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+{
+    var tangential_0 : vec3<f32> = light_4 - normal_2 * vec3<f32>(dot(light_4, normal_2));
+    var turn_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
+    var total_11 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
+    return vec2<f32>(min(sqrt(dot(turn_0, turn_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_11), total_11);
+}
+
+fn skin_transfer_0( transfer_0 : texture_2d<f32>,  transfer_sampler_0 : sampler,  transfer_axes_1 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((transfer_0), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
+}
+
+fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_4 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
 {
     var lengths_3 : vec3<f32> = skin_lengths_0(normals_4);
     var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_4, light_5, lengths_3);
-    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_5, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, sqrt(max((total_per_mm_1 - directional_per_mm_0) * (total_per_mm_1 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_5, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_lost_relief_0(lengths_3, cos_theta_3));
 }
 
-fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  transfer_3 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_4 : vec4<f32>,  normals_5 : mat3x3<f32>,  relief_length_1 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
+fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  normals_5 : mat3x3<f32>,  relief_length_1 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
 {
     var lengths_4 : vec3<f32> = skin_lengths_0(normals_5);
     var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_5, light_6, lengths_4);
-    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_3, transfer_sampler_3, transfer_axes_4, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_1, cos_theta_4));
+    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_lost_relief_0(relief_length_1, cos_theta_4));
 }
 
-fn diffused_light_0( s_5 : Surface_0,  d_4 : Diffused_0,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
+fn diffused_light_0( s_5 : Surface_0,  d_3 : Diffused_0,  to_light_1 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
 {
     if(TIER_0 == i32(0))
     {
-        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_4.normals_1, to_light_1, s_5.curvature_per_mm_0, gain_3);
+        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_3.normals_1, to_light_1, s_5.curvature_per_mm_0, gain_3);
     }
     var bends_0 : vec2<f32> = skin_directional_curvature_0(s_5.tensor_0, s_5.mesh_normal_0, to_light_1);
     if(TIER_0 == i32(1))
     {
-        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_4.normals_1, to_light_1, bends_0.x, bends_0.y, gain_3);
+        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_3.normals_1, to_light_1, bends_0.x, bends_0.y, gain_3);
     }
-    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_4.with_mesh_0, d_4.relief_length_0, to_light_1, bends_0.x, gain_3);
+    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_3.with_mesh_0, d_3.relief_length_0, to_light_1, bends_0.x, gain_3);
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
 {
-    var k_2 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S52 : f32 = 1.0f - k_2;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S52 * n_dot_l_4) * (k_2 + _S52 * n_dot_v_0)));
+    var k_4 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
+    var _S65 : f32 = 1.0f - k_4;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_4 + _S65 * n_dot_l_4) * (k_4 + _S65 * n_dot_v_0)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
@@ -861,18 +859,17 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f
     return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * away2_0 * away2_0 * away_1) * n_dot_l_5;
 }
 
-fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_5 : vec3<f32>) -> vec3<f32>
+fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S53 : f32 = d_5.y;
-    var _S54 : f32 = d_5.z;
-    var _S55 : f32 = d_5.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S53 + sh_0[i32(0)].z * _S54 + sh_0[i32(1)].x * _S55), 1.09254848957061768f * (sh_0[i32(1)].y * _S55 * _S53 + sh_0[i32(1)].z * _S53 * _S54 + sh_0[i32(2)].y * _S55 * _S54) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S54 * _S54 - 1.0f) + 0.54627424478530884f * sh_0[i32(2)].z * (_S55 * _S55 - _S53 * _S53));
+    var _S66 : f32 = d_4.y;
+    var _S67 : f32 = d_4.z;
+    var _S68 : f32 = d_4.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S66 + sh_0[i32(0)].z * _S67 + sh_0[i32(1)].x * _S68), 1.09254848957061768f * (sh_0[i32(1)].y * _S68 * _S66 + sh_0[i32(1)].z * _S66 * _S67 + sh_0[i32(2)].y * _S68 * _S67) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S67 * _S67 - dot(d_4, d_4)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S68 * _S68 - _S66 * _S66));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
 {
-    var l_1 : f32 = skin_safe_length_0(normal_4);
-    return max(dot(skin_sh_bands_0(sh_1, normal_4 / vec3<f32>(l_1)), vec3<f32>(1.0f, l_1, l_1 * l_1 * l_1) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    return max(dot(skin_sh_bands_0(sh_1, normal_4), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_4)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_6 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
@@ -883,8 +880,8 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S56 : vec3<f32> = vec3<f32>(1.0f);
-    var _S57 : mat3x3<f32> = mat3x3<f32>(_S56, _S56, _S56);
+    var _S69 : vec3<f32> = vec3<f32>(1.0f);
+    var _S70 : mat3x3<f32> = mat3x3<f32>(_S69, _S69, _S69);
     var bands_0 : mat3x3<f32>;
     if(SHADING_0 == i32(2))
     {
@@ -893,7 +890,7 @@ fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>)
     }
     else
     {
-        bands_0 = _S57;
+        bands_0 = _S70;
     }
     return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), seen_1, bands_0);
 }
@@ -921,19 +918,19 @@ fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
 
 fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S58 : f32 = direction_1.x;
-    var _S59 : f32 = direction_1.z;
-    var level_0 : f32 = sqrt(_S58 * _S58 + _S59 * _S59);
+    var _S71 : f32 = direction_1.x;
+    var _S72 : f32 = direction_1.z;
+    var level_0 : f32 = sqrt(_S71 * _S71 + _S72 * _S72);
     var x_4 : f32;
     if(level_0 > 0.0f)
     {
-        x_4 = _S58;
+        x_4 = _S71;
     }
     else
     {
         x_4 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S59, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S72, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
 }
 
 fn skin_reflection_level_0( power_2 : f32) -> f32
@@ -944,10 +941,10 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_2 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
     var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S60 : f32 = min(floor(level_1), 3.0f);
+    var _S73 : f32 = min(floor(level_1), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S61 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S61, (_S60 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S60)));
+    var _S74 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S73)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -976,53 +973,54 @@ struct pixelOutput_0
 
 struct pixelInput_0
 {
-    @location(0) a_4 : vec4<f32>,
-    @location(1) b_4 : vec4<f32>,
-    @location(2) c_3 : vec4<f32>,
-    @location(3) d_6 : vec4<f32>,
+    @location(0) a_2 : vec4<f32>,
+    @location(1) b_5 : vec4<f32>,
+    @location(2) c_2 : vec4<f32>,
+    @location(3) d_5 : vec4<f32>,
     @location(4) e_2 : vec4<f32>,
-    @location(5) f_4 : vec4<f32>,
+    @location(5) f_2 : vec4<f32>,
     @location(6) g_2 : vec4<f32>,
     @location(7) h_2 : vec4<f32>,
     @location(8) i_2 : vec4<f32>,
     @location(9) j_2 : vec4<f32>,
+    @location(10) k_5 : vec4<f32>,
 };
 
 @fragment
-fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S63 : Fragment_0 = Fragment_0( clip_1, _S62.a_4, _S62.b_4, _S62.c_3, _S62.d_6, _S62.e_2, _S62.f_4, _S62.g_2, _S62.h_2, _S62.i_2, _S62.j_2 );
-    var _S64 : vec2<f32> = _S62.c_3.zw;
-    var _S65 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_7 : Surface_0 = surface_of_0(_S63, dpdx(_S64) * _S65, dpdy(_S64) * _S65);
+    var _S76 : Fragment_0 = Fragment_0( clip_1, _S75.a_2, _S75.b_5, _S75.c_2, _S75.d_5, _S75.e_2, _S75.f_2, _S75.g_2, _S75.h_2, _S75.i_2, _S75.j_2, _S75.k_5 );
+    var _S77 : vec2<f32> = _S75.c_2.zw;
+    var _S78 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_7 : Surface_0 = surface_of_0(_S76, dpdx(_S77) * _S78, dpdy(_S77) * _S78);
     if(VIEW_0 == i32(1))
     {
-        var _S66 : vec3<f32> = vec3<f32>(0.5f);
-        var _S67 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S66 + _S66 * s_7.sharp_0), 1.0f) );
-        return _S67;
+        var _S79 : vec3<f32> = vec3<f32>(0.5f);
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.sharp_0), 1.0f) );
+        return _S80;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S68 : vec3<f32> = vec3<f32>(0.5f);
-        var _S69 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S68 + _S68 * s_7.blurred_0), 1.0f) );
-        return _S69;
+        var _S81 : vec3<f32> = vec3<f32>(0.5f);
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_7.blurred_0), 1.0f) );
+        return _S82;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S70 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
-        return _S70;
+        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        return _S83;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S71 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
-        return _S71;
+        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        return _S84;
     }
-    var _S72 : vec3<f32> = s_7.sharp_0;
-    var _S73 : mat3x3<f32> = mat3x3<f32>(_S72, _S72, _S72);
-    var _S74 : vec3<f32> = vec3<f32>(1.0f);
+    var _S85 : vec3<f32> = s_7.sharp_0;
+    var _S86 : mat3x3<f32> = mat3x3<f32>(_S85, _S85, _S85);
+    var _S87 : vec3<f32> = vec3<f32>(1.0f);
     var seen_2 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
@@ -1030,24 +1028,24 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        seen_2 = _S73;
+        seen_2 = _S86;
     }
     var diffused_1 : Diffused_0;
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
         var diffused_2 : Diffused_0 = diffused_surface_0(s_7);
-        var _S75 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        var _S88 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
         diffused_1 = diffused_2;
-        gain_5 = _S75;
+        gain_5 = _S88;
         seen_2 = diffused_2.normals_1;
     }
     else
     {
-        gain_5 = _S74;
+        gain_5 = _S87;
     }
     var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S76 : vec3<f32> = vec3<f32>(0.0f);
+    var _S89 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1057,17 +1055,17 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         lit_most_0 = 1.0f;
     }
-    var _S77 : bool;
+    var _S90 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S77 = TAPS_0 > i32(0);
+        _S90 = TAPS_0 > i32(0);
     }
     else
     {
-        _S77 = false;
+        _S90 = false;
     }
     var thinnest_0 : f32;
-    if(_S77)
+    if(_S90)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1076,9 +1074,9 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S76;
-    var direct_3 : vec3<f32> = _S76;
-    var specular_0 : vec3<f32> = _S76;
+    var deep_0 : vec3<f32> = _S89;
+    var direct_3 : vec3<f32> = _S89;
+    var specular_0 : vec3<f32> = _S89;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1089,7 +1087,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
             break;
         }
         var light_8 : Incident_0 = incident_0(index_1, s_7);
-        var _S78 : f32 = max(lit_most_0, light_8.shadow_filter_0);
+        var _S91 : f32 = max(lit_most_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
@@ -1098,21 +1096,21 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S77 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
+            _S90 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
         }
         else
         {
-            _S77 = false;
+            _S90 = false;
         }
-        if(_S77)
+        if(_S90)
         {
             deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
         }
         if((light_8.shadow_filter_0) == 0.0f)
         {
-            var _S79 : i32 = index_1 + i32(1);
-            lit_most_0 = _S78;
-            index_1 = _S79;
+            var _S92 : i32 = index_1 + i32(1);
+            lit_most_0 = _S91;
+            index_1 = _S92;
             continue;
         }
         var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
@@ -1147,51 +1145,51 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_7.sharp_0, s_7.view_0, light_8.to_light_0, s_7.gloss_3, s_7.reflectance_1));
         direct_3 = direct_2;
         specular_0 = specular_1;
-        var _S79 : i32 = index_1 + i32(1);
-        lit_most_0 = _S78;
-        index_1 = _S79;
+        var _S92 : i32 = index_1 + i32(1);
+        lit_most_0 = _S91;
+        index_1 = _S92;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S80;
+        var _S93 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S93;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S81;
+        var _S94 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S94;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S82 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
+        var _S95 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
         var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
-        var _S83 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
+        var _S96 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
         if(SHADING_0 == i32(2))
         {
-            _S77 = TAPS_0 > i32(0);
+            _S90 = TAPS_0 > i32(0);
         }
         else
         {
-            _S77 = false;
+            _S90 = false;
         }
-        if(_S77)
+        if(_S90)
         {
             direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S76;
+            direct_0 = _S89;
         }
-        var _S84 : vec3<f32> = direct_0;
-        direct_0 = _S83;
-        direct_1 = _S82;
-        direct_2 = _S84;
+        var _S97 : vec3<f32> = direct_0;
+        direct_0 = _S96;
+        direct_1 = _S95;
+        direct_2 = _S97;
     }
     else
     {
-        direct_0 = _S76;
-        direct_1 = _S76;
-        direct_2 = _S76;
+        direct_0 = _S89;
+        direct_1 = _S89;
+        direct_2 = _S89;
     }
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
@@ -1206,7 +1204,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     var deep_1 : vec3<f32> = deep_0 * body_0;
     var ambient_0 : vec3<f32> = direct_1 * body_0;
     var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S85 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S98 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
     var shown_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
@@ -1214,7 +1212,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        shown_0 = _S85;
+        shown_0 = _S98;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1240,7 +1238,7 @@ fn fragment_main( _S62 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         shown_0 = min(shown_0, vec3<f32>(60000.0f));
     }
-    var _S86 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
-    return _S86;
+    var _S99 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
+    return _S99;
 }
 
