@@ -21,10 +21,11 @@ check: $(VENV)/.tools
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-bench: $(VENV)/.ready
+bench: $(VENV)/.tools
 	$(BIN)/python benchmarks/performance.py
 	$(BIN)/python benchmarks/bake_scale.py
 	$(BIN)/python benchmarks/gpu_cost.py
+	$(BIN)/python benchmarks/gpu_instructions.py
 
 # What the compiler makes of shaders/skin; a test proves that it is committed.
 shaders: $(VENV)/.tools

@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
@@ -14,7 +15,7 @@ from typing import Any, Literal
 
 from .._core.errors import CompilerError
 
-__all__ = ["LIBRARY", "Language", "Translation", "translate", "version"]
+__all__ = ["LIBRARY", "Language", "Translation", "assemble", "translate", "version"]
 
 Language = Literal["wgsl", "glsl", "hlsl", "metal"]
 """What the compiler writes; dialects of GLSL differ by definitions alone."""
@@ -63,24 +64,52 @@ def translate(
     CompilerError
         With the compiler's first complaint.
     """
+    options = [f"-D{name}={value}" for name, value in (definitions or {}).items()]
+    if entry is not None:
+        options += ["-entry", entry, "-stage", "compute"]
+    options += ["-line-directive-mode", "none", "-reflection-json", "reflection"]
+    made = _compiled(source, language, options)
+    return Translation(made["out"].decode("utf-8"), json.loads(made["reflection"]))
+
+
+def _compiled(source: str, target: str, options: list[str]) -> dict[str, bytes]:
+    """Every file that the compiler writes, by name."""
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
         # Its name reaches no output: line directives are off.
         (place / "source.slang").write_text(source, encoding="utf-8")
-        command = [str(_slangc()), "source.slang", "-I", str(LIBRARY), "-target", language]
-        command += [f"-D{name}={value}" for name, value in (definitions or {}).items()]
-        if entry is not None:
-            command += ["-entry", entry, "-stage", "compute"]
-        command += ["-line-directive-mode", "none", "-o", "out.txt"]
-        command += ["-reflection-json", "reflection.json"]
+        command = [str(_slangc()), "source.slang", "-I", str(LIBRARY), "-target", target]
         done = subprocess.run(
-            command, cwd=place, env=_environment(), capture_output=True, text=True
+            [*command, *options, "-o", "out"],
+            cwd=place,
+            env=_environment(),
+            capture_output=True,
+            text=True,
         )
         if done.returncode:
-            raise CompilerError(f"slangc, {language}: {done.stderr.strip()[:2000]}")
-        text = (place / "out.txt").read_text(encoding="utf-8")
-        reflection = json.loads((place / "reflection.json").read_text(encoding="utf-8"))
-    return Translation(text, reflection)
+            raise CompilerError(f"slangc, {target}: {done.stderr.strip()[:2000]}")
+        return {path.name: path.read_bytes() for path in place.iterdir()}
+
+
+def assemble(source: str, stages: Mapping[str, str]) -> bytes:
+    """Return SPIR-V of a Slang text; drivers optimise it, the compiler does not.
+
+    Parameters
+    ----------
+    source
+        The text, which may include the library's files.
+    stages
+        Names of entry points, and the stage of each.
+
+    Raises
+    ------
+    CompilerError
+        With the compiler's first complaint.
+    """
+    options = ["-O0", "-fvk-use-entrypoint-name"]
+    for entry, stage in stages.items():
+        options += ["-entry", entry, "-stage", stage]
+    return _compiled(source, "spirv", options)["out"]
 
 
 @cache

@@ -584,47 +584,47 @@ fn wide_filter_0( _S24 : i32,  _S25 : i32,  _S26 : Surface_0,  _S27 : vec3<f32>)
     return total_0 / 48.0f;
 }
 
-fn thickness_0( _S44 : i32,  _S45 : i32,  _S46 : Surface_0,  _S47 : i32) -> f32
+fn thickness_0( _S44 : i32,  _S45 : i32,  _S46 : Surface_0) -> f32
 {
-    var _S48 : vec4<f32> = place_in_map_0(_S44, skin_inward_offset_0(_S46.position_0, _S46.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
-    var _S49 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S48.w;
+    var _S47 : vec4<f32> = place_in_map_0(_S44, skin_inward_offset_0(_S46.position_0, _S46.mesh_normal_0, skin_block_0.deep_scatter_offset_mm_0));
+    var _S48 : f32 = skin_block_0.deep_scatter_filter_mm_0 / _S47.w;
     var first_2 : i32 = i32(0);
     var total_9 : f32 = 0.0f;
     for(;;)
     {
-        if(first_2 < _S47)
+        if(first_2 < TAPS_0)
         {
         }
         else
         {
             break;
         }
-        var _S50 : vec2<f32> = _S48.xy;
-        var _S51 : i32 = i32(48) + first_2;
-        var _S52 : vec2<f32> = vec2<f32>(_S49);
-        var _S53 : f32 = f32(_S45);
-        var at_3 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51] * _S52, _S53);
-        var _S54 : f32 = _S48.z;
-        var at_4 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(1)] * _S52, _S53);
-        var at_5 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(2)] * _S52, _S53);
-        var at_6 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(3)] * _S52, _S53);
-        var at_7 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(4)] * _S52, _S53);
-        var at_8 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(5)] * _S52, _S53);
-        var at_9 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(6)] * _S52, _S53);
-        var at_10 : vec3<f32> = vec3<f32>(_S50 + taps_0[_S51 + i32(7)] * _S52, _S53);
-        var total_10 : f32 = total_9 + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_3)).xy, i32(((at_3)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_4)).xy, i32(((at_4)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_5)).xy, i32(((at_5)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_6)).xy, i32(((at_6)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_7)).xy, i32(((at_7)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_8)).xy, i32(((at_8)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_9)).xy, i32(((at_9)).z), (0.0f)).x), 0.0f) + max(_S54 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_10)).xy, i32(((at_10)).z), (0.0f)).x), 0.0f);
+        var _S49 : vec2<f32> = _S47.xy;
+        var _S50 : i32 = i32(48) + first_2;
+        var _S51 : vec2<f32> = vec2<f32>(_S48);
+        var _S52 : f32 = f32(_S45);
+        var at_3 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50] * _S51, _S52);
+        var _S53 : f32 = _S47.z;
+        var at_4 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(1)] * _S51, _S52);
+        var at_5 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(2)] * _S51, _S52);
+        var at_6 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(3)] * _S51, _S52);
+        var at_7 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(4)] * _S51, _S52);
+        var at_8 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(5)] * _S51, _S52);
+        var at_9 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(6)] * _S51, _S52);
+        var at_10 : vec3<f32> = vec3<f32>(_S49 + taps_0[_S50 + i32(7)] * _S51, _S52);
+        var total_10 : f32 = total_9 + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_3)).xy, i32(((at_3)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_4)).xy, i32(((at_4)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_5)).xy, i32(((at_5)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_6)).xy, i32(((at_6)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_7)).xy, i32(((at_7)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_8)).xy, i32(((at_8)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_9)).xy, i32(((at_9)).z), (0.0f)).x), 0.0f) + max(_S53 - (textureSampleLevel((depths_0), (depth_sampler_0), ((at_10)).xy, i32(((at_10)).z), (0.0f)).x), 0.0f);
         first_2 = first_2 + i32(8);
         total_9 = total_10;
     }
-    return total_9 / f32(max(_S47, i32(1)));
+    return total_9 / f32(max(TAPS_0, i32(1)));
 }
 
 fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
 {
     var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
     var found_0 : Incident_0;
-    var _S55 : vec3<f32> = lights_0[index_0].direction_0.xyz;
-    found_0.to_light_0 = _S55;
+    var _S54 : vec3<f32> = lights_0[index_0].direction_0.xyz;
+    found_0.to_light_0 = _S54;
     var through_1 : bool;
     if(LAMPS_0 > i32(0))
     {
@@ -638,10 +638,10 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     if(through_1)
     {
         var away_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_2.position_0;
-        var _S56 : vec3<f32> = skin_unit_vectors_0(away_0);
-        found_0.to_light_0 = _S56;
+        var _S55 : vec3<f32> = skin_unit_vectors_0(away_0);
+        found_0.to_light_0 = _S55;
         var outer_0 : f32 = lights_0[index_0].cone_cosines_0.x;
-        var t_1 : f32 = saturate((dot(_S56, _S55) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
+        var t_1 : f32 = saturate((dot(_S55, _S54) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
         irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].target_distance_mm_0 * lights_0[index_0].target_distance_mm_0 / max(dot(away_0, away_0), 1.0f) * t_1 * t_1 * (3.0f - 2.0f * t_1)));
     }
     else
@@ -653,8 +653,8 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     found_0.shadow_filter_0 = 0.0f;
     if(cosine_1 > -0.60000002384185791f)
     {
-        var _S57 : f32 = wide_filter_0(index_0, i32(2) * index_0, s_2, found_0.to_light_0);
-        found_0.shadow_filter_0 = _S57;
+        var _S56 : f32 = wide_filter_0(index_0, i32(2) * index_0, s_2, found_0.to_light_0);
+        found_0.shadow_filter_0 = _S56;
     }
     var through_below_0 : f32;
     if(SHADING_0 == i32(1))
@@ -665,16 +665,26 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     {
         through_below_0 = 0.0f;
     }
-    if(cosine_1 < 0.5f)
+    if(VIEW_0 == i32(4))
     {
-        if(VIEW_0 == i32(4))
-        {
-            through_1 = true;
-        }
-        else
-        {
-            through_1 = (dot(s_2.blurred_0, found_0.to_light_0)) < through_below_0;
-        }
+        through_1 = true;
+    }
+    else
+    {
+        through_1 = (dot(s_2.blurred_0, found_0.to_light_0)) < through_below_0;
+    }
+    found_0.thickness_mm_0 = 1000.0f;
+    var _S57 : bool;
+    if(TAPS_0 > i32(0))
+    {
+        _S57 = cosine_1 < 0.5f;
+    }
+    else
+    {
+        _S57 = false;
+    }
+    if(_S57)
+    {
     }
     else
     {
@@ -682,23 +692,8 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     }
     if(through_1)
     {
-        var _S58 : i32 = i32(2) * index_0 + i32(1);
-        var _S59 : i32;
-        if(through_1)
-        {
-            _S59 = TAPS_0;
-        }
-        else
-        {
-            _S59 = i32(0);
-        }
-        through_below_0 = thickness_0(index_0, _S58, s_2, _S59);
+        found_0.thickness_mm_0 = thickness_0(index_0, i32(2) * index_0 + i32(1), s_2);
     }
-    else
-    {
-        through_below_0 = 1000.0f;
-    }
-    found_0.thickness_mm_0 = through_below_0;
     return found_0;
 }
 
@@ -717,8 +712,8 @@ fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per
 {
     var a2_0 : vec3<f32> = albedo_3 * albedo_3;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    var _S60 : vec3<f32> = vec3<f32>(1.0f);
-    return (_S60 - a2_0) * decay_0 / (_S60 - a2_0 * decay_0 * decay_0);
+    var _S58 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S58 - a2_0) * decay_0 / (_S58 - a2_0 * decay_0 * decay_0);
 }
 
 fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_1 : f32) -> vec3<f32>
@@ -773,17 +768,17 @@ fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : v
 fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_4 : f32) -> vec3<f32>
 {
     var row_0 : f32 = sqrt(max(curvature_per_mm_4, 0.0f));
-    var _S61 : vec2<f32> = lut_axes_2.xz;
-    var _S62 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S61) * _S62)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S61) * _S62)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S61) * _S62)), (0.0f))).xyz.z);
+    var _S59 : vec2<f32> = lut_axes_2.xz;
+    var _S60 : vec2<f32> = lut_axes_2.yw;
+    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S59) * _S60)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S59) * _S60)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S59) * _S60)), (0.0f))).xyz.z);
 }
 
 fn skin_relief_bump_0( m_0 : f32,  s_4 : f32) -> f32
 {
-    var _S63 : f32 = max(s_4, 9.99999971718068537e-10f);
-    var _S64 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S63), 0.0f);
-    var t2_0 : f32 = _S64 * _S64;
-    return _S63 * t2_0 * t2_0 * (0.16452799737453461f + _S64 * (-1.55506408214569092f + _S64 * (7.10253477096557617f + _S64 * (-16.75164794921875f + _S64 * (22.75126266479492188f + _S64 * (-15.08054447174072266f + _S64 * 3.76787090301513672f))))));
+    var _S61 : f32 = max(s_4, 9.99999971718068537e-10f);
+    var _S62 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S61), 0.0f);
+    var t2_0 : f32 = _S62 * _S62;
+    return _S61 * t2_0 * t2_0 * (0.16452799737453461f + _S62 * (-1.55506408214569092f + _S62 * (7.10253477096557617f + _S62 * (-16.75164794921875f + _S62 * (22.75126266479492188f + _S62 * (-15.08054447174072266f + _S62 * 3.76787090301513672f))))));
 }
 
 fn skin_lost_relief_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
@@ -843,8 +838,8 @@ fn diffused_light_0( s_5 : Surface_0,  d_3 : Diffused_0,  to_light_1 : vec3<f32>
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
 {
     var k_4 : f32 = rsqrt_0(3.14159274101257324f * power_1 / 4.0f + 1.57079637050628662f);
-    var _S65 : f32 = 1.0f - k_4;
-    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_4 + _S65 * n_dot_l_4) * (k_4 + _S65 * n_dot_v_0)));
+    var _S63 : f32 = 1.0f - k_4;
+    return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_4 + _S63 * n_dot_l_4) * (k_4 + _S63 * n_dot_v_0)));
 }
 
 fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
@@ -861,10 +856,10 @@ fn skin_specular_0( normal_3 : vec3<f32>,  view_1 : vec3<f32>,  light_7 : vec3<f
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S66 : f32 = d_4.y;
-    var _S67 : f32 = d_4.z;
-    var _S68 : f32 = d_4.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S66 + sh_0[i32(0)].z * _S67 + sh_0[i32(1)].x * _S68), 1.09254848957061768f * (sh_0[i32(1)].y * _S68 * _S66 + sh_0[i32(1)].z * _S66 * _S67 + sh_0[i32(2)].y * _S68 * _S67) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S67 * _S67 - dot(d_4, d_4)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S68 * _S68 - _S66 * _S66));
+    var _S64 : f32 = d_4.y;
+    var _S65 : f32 = d_4.z;
+    var _S66 : f32 = d_4.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S64 + sh_0[i32(0)].z * _S65 + sh_0[i32(1)].x * _S66), 1.09254848957061768f * (sh_0[i32(1)].y * _S66 * _S64 + sh_0[i32(1)].z * _S64 * _S65 + sh_0[i32(2)].y * _S66 * _S65) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S65 * _S65 - dot(d_4, d_4)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S66 * _S66 - _S64 * _S64));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -880,8 +875,8 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S69 : vec3<f32> = vec3<f32>(1.0f);
-    var _S70 : mat3x3<f32> = mat3x3<f32>(_S69, _S69, _S69);
+    var _S67 : vec3<f32> = vec3<f32>(1.0f);
+    var _S68 : mat3x3<f32> = mat3x3<f32>(_S67, _S67, _S67);
     var bands_0 : mat3x3<f32>;
     if(SHADING_0 == i32(2))
     {
@@ -890,7 +885,7 @@ fn ambient_light_0( s_6 : Surface_0,  seen_1 : mat3x3<f32>,  gain_4 : vec3<f32>)
     }
     else
     {
-        bands_0 = _S70;
+        bands_0 = _S68;
     }
     return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), seen_1, bands_0);
 }
@@ -918,19 +913,19 @@ fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
 
 fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S71 : f32 = direction_1.x;
-    var _S72 : f32 = direction_1.z;
-    var level_0 : f32 = sqrt(_S71 * _S71 + _S72 * _S72);
+    var _S69 : f32 = direction_1.x;
+    var _S70 : f32 = direction_1.z;
+    var level_0 : f32 = sqrt(_S69 * _S69 + _S70 * _S70);
     var x_4 : f32;
     if(level_0 > 0.0f)
     {
-        x_4 = _S71;
+        x_4 = _S69;
     }
     else
     {
         x_4 = 1.0f;
     }
-    return vec2<f32>(0.5f + atan2(_S72, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
+    return vec2<f32>(0.5f + atan2(_S70, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
 }
 
 fn skin_reflection_level_0( power_2 : f32) -> f32
@@ -941,10 +936,10 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_2 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
     var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S73 : f32 = min(floor(level_1), 3.0f);
+    var _S71 : f32 = min(floor(level_1), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S74 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S73)));
+    var _S72 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S72, (_S71 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S72, (_S71 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S71)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -987,40 +982,40 @@ struct pixelInput_0
 };
 
 @fragment
-fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S76 : Fragment_0 = Fragment_0( clip_1, _S75.a_2, _S75.b_5, _S75.c_2, _S75.d_5, _S75.e_2, _S75.f_2, _S75.g_2, _S75.h_2, _S75.i_2, _S75.j_2, _S75.k_5 );
-    var _S77 : vec2<f32> = _S75.c_2.zw;
-    var _S78 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_7 : Surface_0 = surface_of_0(_S76, dpdx(_S77) * _S78, dpdy(_S77) * _S78);
+    var _S74 : Fragment_0 = Fragment_0( clip_1, _S73.a_2, _S73.b_5, _S73.c_2, _S73.d_5, _S73.e_2, _S73.f_2, _S73.g_2, _S73.h_2, _S73.i_2, _S73.j_2, _S73.k_5 );
+    var _S75 : vec2<f32> = _S73.c_2.zw;
+    var _S76 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_7 : Surface_0 = surface_of_0(_S74, dpdx(_S75) * _S76, dpdy(_S75) * _S76);
     if(VIEW_0 == i32(1))
     {
-        var _S79 : vec3<f32> = vec3<f32>(0.5f);
-        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.sharp_0), 1.0f) );
-        return _S80;
+        var _S77 : vec3<f32> = vec3<f32>(0.5f);
+        var _S78 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S77 + _S77 * s_7.sharp_0), 1.0f) );
+        return _S78;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S81 : vec3<f32> = vec3<f32>(0.5f);
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_7.blurred_0), 1.0f) );
-        return _S82;
+        var _S79 : vec3<f32> = vec3<f32>(0.5f);
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.blurred_0), 1.0f) );
+        return _S80;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
-        return _S83;
+        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        return _S81;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
-        return _S84;
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        return _S82;
     }
-    var _S85 : vec3<f32> = s_7.sharp_0;
-    var _S86 : mat3x3<f32> = mat3x3<f32>(_S85, _S85, _S85);
-    var _S87 : vec3<f32> = vec3<f32>(1.0f);
+    var _S83 : vec3<f32> = s_7.sharp_0;
+    var _S84 : mat3x3<f32> = mat3x3<f32>(_S83, _S83, _S83);
+    var _S85 : vec3<f32> = vec3<f32>(1.0f);
     var seen_2 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
@@ -1028,24 +1023,24 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        seen_2 = _S86;
+        seen_2 = _S84;
     }
     var diffused_1 : Diffused_0;
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
         var diffused_2 : Diffused_0 = diffused_surface_0(s_7);
-        var _S88 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        var _S86 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
         diffused_1 = diffused_2;
-        gain_5 = _S88;
+        gain_5 = _S86;
         seen_2 = diffused_2.normals_1;
     }
     else
     {
-        gain_5 = _S87;
+        gain_5 = _S85;
     }
     var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S89 : vec3<f32> = vec3<f32>(0.0f);
+    var _S87 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1055,17 +1050,17 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         lit_most_0 = 1.0f;
     }
-    var _S90 : bool;
+    var _S88 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S90 = TAPS_0 > i32(0);
+        _S88 = TAPS_0 > i32(0);
     }
     else
     {
-        _S90 = false;
+        _S88 = false;
     }
     var thinnest_0 : f32;
-    if(_S90)
+    if(_S88)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1074,9 +1069,9 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S89;
-    var direct_3 : vec3<f32> = _S89;
-    var specular_0 : vec3<f32> = _S89;
+    var deep_0 : vec3<f32> = _S87;
+    var direct_3 : vec3<f32> = _S87;
+    var specular_0 : vec3<f32> = _S87;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1087,7 +1082,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
             break;
         }
         var light_8 : Incident_0 = incident_0(index_1, s_7);
-        var _S91 : f32 = max(lit_most_0, light_8.shadow_filter_0);
+        var _S89 : f32 = max(lit_most_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
@@ -1096,21 +1091,21 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S90 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
+            _S88 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
         }
         else
         {
-            _S90 = false;
+            _S88 = false;
         }
-        if(_S90)
+        if(_S88)
         {
             deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
         }
         if((light_8.shadow_filter_0) == 0.0f)
         {
-            var _S92 : i32 = index_1 + i32(1);
-            lit_most_0 = _S91;
-            index_1 = _S92;
+            var _S90 : i32 = index_1 + i32(1);
+            lit_most_0 = _S89;
+            index_1 = _S90;
             continue;
         }
         var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
@@ -1145,51 +1140,51 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_7.sharp_0, s_7.view_0, light_8.to_light_0, s_7.gloss_3, s_7.reflectance_1));
         direct_3 = direct_2;
         specular_0 = specular_1;
-        var _S92 : i32 = index_1 + i32(1);
-        lit_most_0 = _S91;
-        index_1 = _S92;
+        var _S90 : i32 = index_1 + i32(1);
+        lit_most_0 = _S89;
+        index_1 = _S90;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S93 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S93;
+        var _S91 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S91;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S94 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S94;
+        var _S92 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S92;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S95 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
+        var _S93 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
         var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
-        var _S96 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
+        var _S94 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
         if(SHADING_0 == i32(2))
         {
-            _S90 = TAPS_0 > i32(0);
+            _S88 = TAPS_0 > i32(0);
         }
         else
         {
-            _S90 = false;
+            _S88 = false;
         }
-        if(_S90)
+        if(_S88)
         {
             direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S89;
+            direct_0 = _S87;
         }
-        var _S97 : vec3<f32> = direct_0;
-        direct_0 = _S96;
-        direct_1 = _S95;
-        direct_2 = _S97;
+        var _S95 : vec3<f32> = direct_0;
+        direct_0 = _S94;
+        direct_1 = _S93;
+        direct_2 = _S95;
     }
     else
     {
-        direct_0 = _S89;
-        direct_1 = _S89;
-        direct_2 = _S89;
+        direct_0 = _S87;
+        direct_1 = _S87;
+        direct_2 = _S87;
     }
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
@@ -1204,7 +1199,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     var deep_1 : vec3<f32> = deep_0 * body_0;
     var ambient_0 : vec3<f32> = direct_1 * body_0;
     var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S98 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S96 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
     var shown_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
@@ -1212,7 +1207,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        shown_0 = _S98;
+        shown_0 = _S96;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1238,7 +1233,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         shown_0 = min(shown_0, vec3<f32>(60000.0f));
     }
-    var _S99 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
-    return _S99;
+    var _S97 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
+    return _S97;
 }
 
