@@ -198,7 +198,7 @@ MULTISAMPLED_MEAN = Tolerance(1.0, "levels of 255; edges and the sharpest highli
 MULTISAMPLED_MEDIAN = Tolerance(
     2.0, "levels of 255 inside, shaded once a pixel of a small picture; 1.0"
 )
-BACKENDS_MEAN = Tolerance(0.05, "mean; .003 on llvmpipe; float32, maps in half floats")
+BACKENDS_MEAN = Tolerance(0.05, "mean; .003 on llvmpipe; float32, maps and tables in half floats")
 BACKENDS_TAIL = Tolerance(
     1.5, "99.9 % of pixels; .36 on llvmpipe; others lie on edges, where samples tie"
 )
