@@ -771,33 +771,51 @@ fn run_diffuse_share(@builtin(global_invocation_id) thread_33 : vec3<u32>)
     return;
 }
 
-fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
+fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
 {
-    var _S72 : f32 = direction_0.x;
-    var _S73 : f32 = direction_0.z;
-    var level_0 : f32 = sqrt(_S72 * _S72 + _S73 * _S73);
-    var x_2 : f32;
-    if(level_0 > 0.0f)
+    var along_0 : vec2<f32> = abs(vec2<f32>(x_2, y_1));
+    var _S72 : f32 = along_0.x;
+    var _S73 : f32 = along_0.y;
+    var r_0 : f32 = min(_S72, _S73) / max(max(_S72, _S73), 1.00000000317107685e-30f);
+    var r2_1 : f32 = r_0 * r_0;
+    var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
+    var turns_1 : f32;
+    if(_S73 > _S72)
     {
-        x_2 = _S72;
+        turns_1 = 0.25f - turns_0;
     }
     else
     {
-        x_2 = 1.0f;
+        turns_1 = turns_0;
     }
-    return vec2<f32>(0.5f + atan2(_S73, x_2) / 6.28318548202514648f, atan2(level_0, direction_0.y) / 3.14159274101257324f);
+    if(x_2 < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    return turns_1;
+}
+
+fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
+{
+    var _S74 : f32 = direction_0.x;
+    var _S75 : f32 = direction_0.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S75, _S74), 2.0f * skin_turns_0(sqrt(_S74 * _S74 + _S75 * _S75), direction_0.y));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_equirectangular_uv(@builtin(global_invocation_id) thread_34 : vec3<u32>)
 {
-    var _S74 : u32 = thread_34.x;
-    var at_31 : u32 = _S74 * u32(3);
+    var _S76 : u32 = thread_34.x;
+    var at_31 : u32 = _S76 * u32(3);
     var result_18 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[at_31], inputs_0[at_31 + u32(1)], inputs_0[at_31 + u32(2)]));
-    var _S75 : u32 = _S74 * u32(2);
-    outputs_0[_S75] = result_18[i32(0)];
-    outputs_0[_S75 + u32(1)] = result_18[i32(1)];
+    var _S77 : u32 = _S76 * u32(2);
+    outputs_0[_S77] = result_18[i32(0)];
+    outputs_0[_S77 + u32(1)] = result_18[i32(1)];
     return;
 }
 
@@ -810,18 +828,18 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 @workgroup_size(64, 1, 1)
 fn run_reflection_level(@builtin(global_invocation_id) thread_35 : vec3<u32>)
 {
-    var _S76 : u32 = thread_35.x;
-    outputs_0[_S76] = skin_reflection_level_0(inputs_0[_S76]);
+    var _S78 : u32 = thread_35.x;
+    outputs_0[_S78] = skin_reflection_level_0(inputs_0[_S78]);
     return;
 }
 
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_1 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
-    var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S77 : f32 = min(floor(level_1), 3.0f);
+    var level_0 : f32 = skin_reflection_level_0(power_3);
+    var _S79 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_1.y, 0.0078125f, 0.9921875f);
-    var _S78 : f32 = uv_1.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S78, (_S77 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S78, (_S77 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S77)));
+    var _S80 : f32 = uv_1.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S80, (_S79 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S80, (_S79 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S79)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_1 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -835,21 +853,21 @@ fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sa
 @workgroup_size(64, 1, 1)
 fn run_reflected_radiance(@builtin(global_invocation_id) thread_36 : vec3<u32>)
 {
-    var _S79 : u32 = thread_36.x;
-    var at_32 : u32 = _S79 * u32(4);
+    var _S81 : u32 = thread_36.x;
+    var at_32 : u32 = _S81 * u32(4);
     var result_19 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[at_32], inputs_0[at_32 + u32(1)], inputs_0[at_32 + u32(2)]), inputs_0[at_32 + u32(3)]);
-    var _S80 : u32 = _S79 * u32(3);
-    outputs_0[_S80] = result_19[i32(0)];
-    outputs_0[_S80 + u32(1)] = result_19[i32(1)];
-    outputs_0[_S80 + u32(2)] = result_19[i32(2)];
+    var _S82 : u32 = _S81 * u32(3);
+    outputs_0[_S82] = result_19[i32(0)];
+    outputs_0[_S82 + u32(1)] = result_19[i32(1)];
+    outputs_0[_S82 + u32(2)] = result_19[i32(2)];
     return;
 }
 
 fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S81 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S81 + vec3<f32>(0.5f)) / (x_3 * (_S81 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S83 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S83 + vec3<f32>(0.5f)) / (x_3 * (_S83 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 @compute
@@ -857,27 +875,27 @@ fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 fn run_filmic(@builtin(global_invocation_id) thread_37 : vec3<u32>)
 {
     var at_33 : u32 = thread_37.x * u32(3);
-    var _S82 : u32 = at_33 + u32(1);
-    var _S83 : u32 = at_33 + u32(2);
-    var result_20 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_33], inputs_0[_S82], inputs_0[_S83]));
+    var _S84 : u32 = at_33 + u32(1);
+    var _S85 : u32 = at_33 + u32(2);
+    var result_20 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[at_33], inputs_0[_S84], inputs_0[_S85]));
     outputs_0[at_33] = result_20[i32(0)];
-    outputs_0[_S82] = result_20[i32(1)];
-    outputs_0[_S83] = result_20[i32(2)];
+    outputs_0[_S84] = result_20[i32(1)];
+    outputs_0[_S85] = result_20[i32(2)];
     return;
 }
 
 fn skin_srgb_curve_0( x_4 : f32) -> f32
 {
-    var _S84 : f32;
+    var _S86 : f32;
     if(x_4 <= 0.00313080009073019f)
     {
-        _S84 = 12.92000007629394531f * x_4;
+        _S86 = 12.92000007629394531f * x_4;
     }
     else
     {
-        _S84 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S86 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S84;
+    return _S86;
 }
 
 fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
@@ -891,27 +909,27 @@ fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
 fn run_srgb_from_linear(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
     var at_34 : u32 = thread_38.x * u32(3);
-    var _S85 : u32 = at_34 + u32(1);
-    var _S86 : u32 = at_34 + u32(2);
-    var result_21 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_34], inputs_0[_S85], inputs_0[_S86]));
+    var _S87 : u32 = at_34 + u32(1);
+    var _S88 : u32 = at_34 + u32(2);
+    var result_21 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[at_34], inputs_0[_S87], inputs_0[_S88]));
     outputs_0[at_34] = result_21[i32(0)];
-    outputs_0[_S85] = result_21[i32(1)];
-    outputs_0[_S86] = result_21[i32(2)];
+    outputs_0[_S87] = result_21[i32(1)];
+    outputs_0[_S88] = result_21[i32(2)];
     return;
 }
 
 fn skin_linear_curve_0( x_6 : f32) -> f32
 {
-    var _S87 : f32;
+    var _S89 : f32;
     if(x_6 <= 0.04044999927282333f)
     {
-        _S87 = x_6 / 12.92000007629394531f;
+        _S89 = x_6 / 12.92000007629394531f;
     }
     else
     {
-        _S87 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S89 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S87;
+    return _S89;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -925,12 +943,12 @@ fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 fn run_linear_from_srgb(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
     var at_35 : u32 = thread_39.x * u32(3);
-    var _S88 : u32 = at_35 + u32(1);
-    var _S89 : u32 = at_35 + u32(2);
-    var result_22 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_35], inputs_0[_S88], inputs_0[_S89]));
+    var _S90 : u32 = at_35 + u32(1);
+    var _S91 : u32 = at_35 + u32(2);
+    var result_22 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[at_35], inputs_0[_S90], inputs_0[_S91]));
     outputs_0[at_35] = result_22[i32(0)];
-    outputs_0[_S88] = result_22[i32(1)];
-    outputs_0[_S89] = result_22[i32(2)];
+    outputs_0[_S90] = result_22[i32(1)];
+    outputs_0[_S91] = result_22[i32(2)];
     return;
 }
 
@@ -943,9 +961,9 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 @workgroup_size(64, 1, 1)
 fn run_classic_blur_level(@builtin(global_invocation_id) thread_40 : vec3<u32>)
 {
-    var _S90 : u32 = thread_40.x;
-    var at_36 : u32 = _S90 * u32(4);
-    outputs_0[_S90] = skin_classic_blur_level_0(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]);
+    var _S92 : u32 = thread_40.x;
+    var at_36 : u32 = _S92 * u32(4);
+    outputs_0[_S92] = skin_classic_blur_level_0(inputs_0[at_36], inputs_0[at_36 + u32(1)], inputs_0[at_36 + u32(2)], inputs_0[at_36 + u32(3)]);
     return;
 }
 
@@ -961,13 +979,13 @@ fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lu
 @workgroup_size(64, 1, 1)
 fn run_classic_direct(@builtin(global_invocation_id) thread_41 : vec3<u32>)
 {
-    var _S91 : u32 = thread_41.x;
-    var at_37 : u32 = _S91 * u32(14);
+    var _S93 : u32 = thread_41.x;
+    var at_37 : u32 = _S93 * u32(14);
     var result_23 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[at_37], inputs_0[at_37 + u32(1)], inputs_0[at_37 + u32(2)], inputs_0[at_37 + u32(3)]), vec3<f32>(inputs_0[at_37 + u32(4)], inputs_0[at_37 + u32(5)], inputs_0[at_37 + u32(6)]), vec3<f32>(inputs_0[at_37 + u32(7)], inputs_0[at_37 + u32(8)], inputs_0[at_37 + u32(9)]), vec3<f32>(inputs_0[at_37 + u32(10)], inputs_0[at_37 + u32(11)], inputs_0[at_37 + u32(12)]), inputs_0[at_37 + u32(13)]);
-    var _S92 : u32 = _S91 * u32(3);
-    outputs_0[_S92] = result_23[i32(0)];
-    outputs_0[_S92 + u32(1)] = result_23[i32(1)];
-    outputs_0[_S92 + u32(2)] = result_23[i32(2)];
+    var _S94 : u32 = _S93 * u32(3);
+    outputs_0[_S94] = result_23[i32(0)];
+    outputs_0[_S94 + u32(1)] = result_23[i32(1)];
+    outputs_0[_S94 + u32(2)] = result_23[i32(2)];
     return;
 }
 
@@ -980,19 +998,19 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 @workgroup_size(64, 1, 1)
 fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_42 : vec3<u32>)
 {
-    var _S93 : u32 = thread_42.x;
-    var at_38 : u32 = _S93 * u32(6);
+    var _S95 : u32 = thread_42.x;
+    var at_38 : u32 = _S95 * u32(6);
     var result_24 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[at_38], inputs_0[at_38 + u32(1)], inputs_0[at_38 + u32(2)]), vec3<f32>(inputs_0[at_38 + u32(3)], inputs_0[at_38 + u32(4)], inputs_0[at_38 + u32(5)]));
-    var _S94 : u32 = _S93 * u32(9);
-    outputs_0[_S94] = result_24[i32(0)][i32(0)];
-    outputs_0[_S94 + u32(1)] = result_24[i32(0)][i32(1)];
-    outputs_0[_S94 + u32(2)] = result_24[i32(0)][i32(2)];
-    outputs_0[_S94 + u32(3)] = result_24[i32(1)][i32(0)];
-    outputs_0[_S94 + u32(4)] = result_24[i32(1)][i32(1)];
-    outputs_0[_S94 + u32(5)] = result_24[i32(1)][i32(2)];
-    outputs_0[_S94 + u32(6)] = result_24[i32(2)][i32(0)];
-    outputs_0[_S94 + u32(7)] = result_24[i32(2)][i32(1)];
-    outputs_0[_S94 + u32(8)] = result_24[i32(2)][i32(2)];
+    var _S96 : u32 = _S95 * u32(9);
+    outputs_0[_S96] = result_24[i32(0)][i32(0)];
+    outputs_0[_S96 + u32(1)] = result_24[i32(0)][i32(1)];
+    outputs_0[_S96 + u32(2)] = result_24[i32(0)][i32(2)];
+    outputs_0[_S96 + u32(3)] = result_24[i32(1)][i32(0)];
+    outputs_0[_S96 + u32(4)] = result_24[i32(1)][i32(1)];
+    outputs_0[_S96 + u32(5)] = result_24[i32(1)][i32(2)];
+    outputs_0[_S96 + u32(6)] = result_24[i32(2)][i32(0)];
+    outputs_0[_S96 + u32(7)] = result_24[i32(2)][i32(1)];
+    outputs_0[_S96 + u32(8)] = result_24[i32(2)][i32(2)];
     return;
 }
 
@@ -1005,9 +1023,9 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 @workgroup_size(64, 1, 1)
 fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_43 : vec3<u32>)
 {
-    var _S95 : u32 = thread_43.x;
-    var at_39 : u32 = _S95 * u32(2);
-    outputs_0[_S95] = skin_classic_sharpened_shadow_0(inputs_0[at_39], inputs_0[at_39 + u32(1)]);
+    var _S97 : u32 = thread_43.x;
+    var at_39 : u32 = _S97 * u32(2);
+    outputs_0[_S97] = skin_classic_sharpened_shadow_0(inputs_0[at_39], inputs_0[at_39 + u32(1)]);
     return;
 }
 
@@ -1020,9 +1038,9 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_
 @workgroup_size(64, 1, 1)
 fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_44 : vec3<u32>)
 {
-    var _S96 : u32 = thread_44.x;
-    var at_40 : u32 = _S96 * u32(4);
-    outputs_0[_S96] = skin_classic_deep_scatter_0(inputs_0[at_40], inputs_0[at_40 + u32(1)], inputs_0[at_40 + u32(2)], inputs_0[at_40 + u32(3)]);
+    var _S98 : u32 = thread_44.x;
+    var at_40 : u32 = _S98 * u32(4);
+    outputs_0[_S98] = skin_classic_deep_scatter_0(inputs_0[at_40], inputs_0[at_40 + u32(1)], inputs_0[at_40 + u32(2)], inputs_0[at_40 + u32(3)]);
     return;
 }
 

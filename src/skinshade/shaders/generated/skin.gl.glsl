@@ -328,21 +328,45 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
     return 1.0 - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
-vec2 skin_equirectangular_uv(vec3 direction)
+float skin_turns(float y, float x)
 {
-    float _S12 = direction.x;
-    float _S13 = direction.z;
-    float level_0 = sqrt(_S12 * _S12 + _S13 * _S13);
-    float x_4;
-    if(level_0 > 0.0)
+    vec2 along_0 = abs(vec2(x, y));
+    float _S12 = along_0.x;
+    float _S13 = along_0.y;
+    float r_0 = min(_S12, _S13) / max(max(_S12, _S13), 1.00000000317107685e-30);
+    float r2_1 = r_0 * r_0;
+    float turns_0 = r_0 * (0.15915107727050781 + r2_1 * (-0.05293257534503937 + r2_1 * (0.03076364658772945 + r2_1 * (-0.01842727139592171 + r2_1 * (0.00826387945562601 - r2_1 * 0.00181874714326113)))));
+    float turns_1;
+    if(_S13 > _S12)
     {
-        x_4 = _S12;
+        turns_1 = 0.25 - turns_0;
     }
     else
     {
-        x_4 = 1.0;
+        turns_1 = turns_0;
     }
-    return vec2(0.5 + (atan((_S13),(x_4))) / 6.28318548202514648, (atan((level_0),(direction.y))) / 3.14159274101257324);
+    if(x < 0.0)
+    {
+        turns_1 = 0.5 - turns_1;
+    }
+    else
+    {
+    }
+    if(y < 0.0)
+    {
+        turns_1 = - turns_1;
+    }
+    else
+    {
+    }
+    return turns_1;
+}
+
+vec2 skin_equirectangular_uv(vec3 direction)
+{
+    float _S14 = direction.x;
+    float _S15 = direction.z;
+    return vec2(0.5 + skin_turns(_S15, _S14), 2.0 * skin_turns(sqrt(_S14 * _S14 + _S15 * _S15), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -352,11 +376,11 @@ float skin_reflection_level(float power)
 
 vec3 skin_preconvolved(sampler2D preconvolved, vec2 uv, float power)
 {
-    float level_1 = skin_reflection_level(power);
-    float _S14 = min(floor(level_1), 3.0);
+    float level_0 = skin_reflection_level(power);
+    float _S16 = min(floor(level_0), 3.0);
     float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
-    float _S15 = uv.x;
-    return mix((textureLod((preconvolved), (vec2(_S15, (_S14 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S15, (_S14 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_1 - _S14));
+    float _S17 = uv.x;
+    return mix((textureLod((preconvolved), (vec2(_S17, (_S16 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S17, (_S16 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S16));
 }
 
 vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss)
@@ -369,22 +393,22 @@ vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss
 vec3 skin_filmic(vec3 light)
 {
     vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
-    vec3 _S16 = 6.19999980926513672 * x_5;
-    return x_5 * (_S16 + 0.5) / (x_5 * (_S16 + 1.70000004768371582) + 0.05999999865889549);
+    vec3 _S18 = 6.19999980926513672 * x_5;
+    return x_5 * (_S18 + 0.5) / (x_5 * (_S18 + 1.70000004768371582) + 0.05999999865889549);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S17;
+    float _S19;
     if(x <= 0.00313080009073019)
     {
-        _S17 = 12.92000007629394531 * x;
+        _S19 = 12.92000007629394531 * x;
     }
     else
     {
-        _S17 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        _S19 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
     }
-    return _S17;
+    return _S19;
 }
 
 vec3 skin_srgb_from_linear(vec3 light)
@@ -395,16 +419,16 @@ vec3 skin_srgb_from_linear(vec3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S18;
+    float _S20;
     if(x <= 0.04044999927282333)
     {
-        _S18 = x / 12.92000007629394531;
+        _S20 = x / 12.92000007629394531;
     }
     else
     {
-        _S18 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S20 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
-    return _S18;
+    return _S20;
 }
 
 vec3 skin_linear_from_srgb(vec3 display)

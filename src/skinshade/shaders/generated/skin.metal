@@ -318,21 +318,39 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
-float2 skin_equirectangular_uv(float3 direction)
+float skin_turns(float y, float x)
 {
-    float _S14 = direction.x;
-    float _S15 = direction.z;
-    float level_0 = sqrt(_S14 * _S14 + _S15 * _S15);
-    float x_1;
-    if(level_0 > 0.0f)
+    float2 along_0 = abs(float2(x, y));
+    float _S14 = along_0.x;
+    float _S15 = along_0.y;
+    float r_0 = min(_S14, _S15) / max(max(_S14, _S15), 1.00000000317107685e-30f);
+    float r2_1 = r_0 * r_0;
+    float turns_0 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
+    float turns_1;
+    if(_S15 > _S14)
     {
-        x_1 = _S14;
+        turns_1 = 0.25f - turns_0;
     }
     else
     {
-        x_1 = 1.0f;
+        turns_1 = turns_0;
     }
-    return float2(0.5f + atan2(_S15, x_1) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
+    if(x < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    if(y < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    return turns_1;
+}
+
+float2 skin_equirectangular_uv(float3 direction)
+{
+    float _S16 = direction.x;
+    float _S17 = direction.z;
+    return float2(0.5f + skin_turns(_S17, _S16), 2.0f * skin_turns(sqrt(_S16 * _S16 + _S17 * _S17), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -342,11 +360,11 @@ float skin_reflection_level(float power)
 
 float3 skin_preconvolved(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float2 uv, float power)
 {
-    float level_1 = skin_reflection_level(power);
-    float _S16 = min(floor(level_1), 3.0f);
+    float level_0 = skin_reflection_level(power);
+    float _S18 = min(floor(level_0), 3.0f);
     float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    float _S17 = uv.x;
-    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S17, (_S16 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S17, (_S16 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_1 - _S16)) );
+    float _S19 = uv.x;
+    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S19, (_S18 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S19, (_S18 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_0 - _S18)) );
 }
 
 float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float3 direction, float gloss)
@@ -359,22 +377,22 @@ float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sa
 float3 skin_filmic(float3 light)
 {
     float3 x_2 = max(light - float3(0.00400000018998981f) , float3(0.0f) );
-    float3 _S18 = float3(6.19999980926513672f)  * x_2;
-    return x_2 * (_S18 + float3(0.5f) ) / (x_2 * (_S18 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
+    float3 _S20 = float3(6.19999980926513672f)  * x_2;
+    return x_2 * (_S20 + float3(0.5f) ) / (x_2 * (_S20 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S19;
+    float _S21;
     if(x <= 0.00313080009073019f)
     {
-        _S19 = 12.92000007629394531f * x;
+        _S21 = 12.92000007629394531f * x;
     }
     else
     {
-        _S19 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S21 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S19;
+    return _S21;
 }
 
 float3 skin_srgb_from_linear(float3 light)
@@ -385,16 +403,16 @@ float3 skin_srgb_from_linear(float3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S20;
+    float _S22;
     if(x <= 0.04044999927282333f)
     {
-        _S20 = x / 12.92000007629394531f;
+        _S22 = x / 12.92000007629394531f;
     }
     else
     {
-        _S20 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S22 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S20;
+    return _S22;
 }
 
 float3 skin_linear_from_srgb(float3 display)

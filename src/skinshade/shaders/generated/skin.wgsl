@@ -321,21 +321,39 @@ fn skin_diffuse_share(n_dot_v : f32, gloss : f32, reflectance : f32) -> f32
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
-fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
+fn skin_turns(y : f32, x : f32) -> f32
 {
-    var _S14 : f32 = direction.x;
-    var _S15 : f32 = direction.z;
-    var level_0 : f32 = sqrt(_S14 * _S14 + _S15 * _S15);
-    var x_2 : f32;
-    if(level_0 > 0.0f)
+    var along_0 : vec2<f32> = abs(vec2<f32>(x, y));
+    var _S14 : f32 = along_0.x;
+    var _S15 : f32 = along_0.y;
+    var r_0 : f32 = min(_S14, _S15) / max(max(_S14, _S15), 1.00000000317107685e-30f);
+    var r2_1 : f32 = r_0 * r_0;
+    var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
+    var turns_1 : f32;
+    if(_S15 > _S14)
     {
-        x_2 = _S14;
+        turns_1 = 0.25f - turns_0;
     }
     else
     {
-        x_2 = 1.0f;
+        turns_1 = turns_0;
     }
-    return vec2<f32>(0.5f + atan2(_S15, x_2) / 6.28318548202514648f, atan2(level_0, direction.y) / 3.14159274101257324f);
+    if(x < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    if(y < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    return turns_1;
+}
+
+fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
+{
+    var _S16 : f32 = direction.x;
+    var _S17 : f32 = direction.z;
+    return vec2<f32>(0.5f + skin_turns(_S17, _S16), 2.0f * skin_turns(sqrt(_S16 * _S16 + _S17 * _S17), direction.y));
 }
 
 fn skin_reflection_level(power : f32) -> f32
@@ -345,11 +363,11 @@ fn skin_reflection_level(power : f32) -> f32
 
 fn skin_preconvolved(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, uv : vec2<f32>, power : f32) -> vec3<f32>
 {
-    var level_1 : f32 = skin_reflection_level(power);
-    var _S16 : f32 = min(floor(level_1), 3.0f);
+    var level_0 : f32 = skin_reflection_level(power);
+    var _S18 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    var _S17 : f32 = uv.x;
-    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S17, (_S16 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S17, (_S16 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S16)));
+    var _S19 : f32 = uv.x;
+    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S19, (_S18 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S19, (_S18 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S18)));
 }
 
 fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, gloss : f32) -> vec3<f32>
@@ -362,22 +380,22 @@ fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler 
 fn skin_filmic(light : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S18 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S18 + vec3<f32>(0.5f)) / (x_3 * (_S18 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S20 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S20 + vec3<f32>(0.5f)) / (x_3 * (_S20 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 fn skin_srgb_curve(x : f32) -> f32
 {
-    var _S19 : f32;
+    var _S21 : f32;
     if(x <= 0.00313080009073019f)
     {
-        _S19 = 12.92000007629394531f * x;
+        _S21 = 12.92000007629394531f * x;
     }
     else
     {
-        _S19 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S21 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S19;
+    return _S21;
 }
 
 fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
@@ -388,16 +406,16 @@ fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
 
 fn skin_linear_curve(x : f32) -> f32
 {
-    var _S20 : f32;
+    var _S22 : f32;
     if(x <= 0.04044999927282333f)
     {
-        _S20 = x / 12.92000007629394531f;
+        _S22 = x / 12.92000007629394531f;
     }
     else
     {
-        _S20 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S22 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S20;
+    return _S22;
 }
 
 fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>

@@ -911,21 +911,39 @@ fn skin_reflected_0( normal_5 : vec3<f32>,  view_2 : vec3<f32>) -> vec3<f32>
     return vec3<f32>((2.0f * dot(normal_5, view_2))) * normal_5 - view_2;
 }
 
-fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
+fn skin_turns_0( y_1 : f32,  x_4 : f32) -> f32
 {
-    var _S69 : f32 = direction_1.x;
-    var _S70 : f32 = direction_1.z;
-    var level_0 : f32 = sqrt(_S69 * _S69 + _S70 * _S70);
-    var x_4 : f32;
-    if(level_0 > 0.0f)
+    var along_0 : vec2<f32> = abs(vec2<f32>(x_4, y_1));
+    var _S69 : f32 = along_0.x;
+    var _S70 : f32 = along_0.y;
+    var r_0 : f32 = min(_S69, _S70) / max(max(_S69, _S70), 1.00000000317107685e-30f);
+    var r2_0 : f32 = r_0 * r_0;
+    var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_0 * (-0.05293257534503937f + r2_0 * (0.03076364658772945f + r2_0 * (-0.01842727139592171f + r2_0 * (0.00826387945562601f - r2_0 * 0.00181874714326113f)))));
+    var turns_1 : f32;
+    if(_S70 > _S69)
     {
-        x_4 = _S69;
+        turns_1 = 0.25f - turns_0;
     }
     else
     {
-        x_4 = 1.0f;
+        turns_1 = turns_0;
     }
-    return vec2<f32>(0.5f + atan2(_S70, x_4) / 6.28318548202514648f, atan2(level_0, direction_1.y) / 3.14159274101257324f);
+    if(x_4 < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    return turns_1;
+}
+
+fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
+{
+    var _S71 : f32 = direction_1.x;
+    var _S72 : f32 = direction_1.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S72, _S71), 2.0f * skin_turns_0(sqrt(_S71 * _S71 + _S72 * _S72), direction_1.y));
 }
 
 fn skin_reflection_level_0( power_2 : f32) -> f32
@@ -935,11 +953,11 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_2 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
-    var level_1 : f32 = skin_reflection_level_0(power_3);
-    var _S71 : f32 = min(floor(level_1), 3.0f);
+    var level_0 : f32 = skin_reflection_level_0(power_3);
+    var _S73 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S72 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S72, (_S71 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S72, (_S71 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_1 - _S71)));
+    var _S74 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S73)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
@@ -982,40 +1000,40 @@ struct pixelInput_0
 };
 
 @fragment
-fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_1 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S74 : Fragment_0 = Fragment_0( clip_1, _S73.a_2, _S73.b_5, _S73.c_2, _S73.d_5, _S73.e_2, _S73.f_2, _S73.g_2, _S73.h_2, _S73.i_2, _S73.j_2, _S73.k_5 );
-    var _S75 : vec2<f32> = _S73.c_2.zw;
-    var _S76 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_7 : Surface_0 = surface_of_0(_S74, dpdx(_S75) * _S76, dpdy(_S75) * _S76);
+    var _S76 : Fragment_0 = Fragment_0( clip_1, _S75.a_2, _S75.b_5, _S75.c_2, _S75.d_5, _S75.e_2, _S75.f_2, _S75.g_2, _S75.h_2, _S75.i_2, _S75.j_2, _S75.k_5 );
+    var _S77 : vec2<f32> = _S75.c_2.zw;
+    var _S78 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_7 : Surface_0 = surface_of_0(_S76, dpdx(_S77) * _S78, dpdy(_S77) * _S78);
     if(VIEW_0 == i32(1))
     {
-        var _S77 : vec3<f32> = vec3<f32>(0.5f);
-        var _S78 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S77 + _S77 * s_7.sharp_0), 1.0f) );
-        return _S78;
+        var _S79 : vec3<f32> = vec3<f32>(0.5f);
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.sharp_0), 1.0f) );
+        return _S80;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S79 : vec3<f32> = vec3<f32>(0.5f);
-        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.blurred_0), 1.0f) );
-        return _S80;
+        var _S81 : vec3<f32> = vec3<f32>(0.5f);
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_7.blurred_0), 1.0f) );
+        return _S82;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
-        return _S81;
+        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        return _S83;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
-        return _S82;
+        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        return _S84;
     }
-    var _S83 : vec3<f32> = s_7.sharp_0;
-    var _S84 : mat3x3<f32> = mat3x3<f32>(_S83, _S83, _S83);
-    var _S85 : vec3<f32> = vec3<f32>(1.0f);
+    var _S85 : vec3<f32> = s_7.sharp_0;
+    var _S86 : mat3x3<f32> = mat3x3<f32>(_S85, _S85, _S85);
+    var _S87 : vec3<f32> = vec3<f32>(1.0f);
     var seen_2 : mat3x3<f32>;
     if(SHADING_0 == i32(1))
     {
@@ -1023,24 +1041,24 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        seen_2 = _S84;
+        seen_2 = _S86;
     }
     var diffused_1 : Diffused_0;
     var gain_5 : vec3<f32>;
     if(SHADING_0 == i32(2))
     {
         var diffused_2 : Diffused_0 = diffused_surface_0(s_7);
-        var _S86 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        var _S88 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
         diffused_1 = diffused_2;
-        gain_5 = _S86;
+        gain_5 = _S88;
         seen_2 = diffused_2.normals_1;
     }
     else
     {
-        gain_5 = _S85;
+        gain_5 = _S87;
     }
     var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S87 : vec3<f32> = vec3<f32>(0.0f);
+    var _S89 : vec3<f32> = vec3<f32>(0.0f);
     var lit_most_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1050,17 +1068,17 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         lit_most_0 = 1.0f;
     }
-    var _S88 : bool;
+    var _S90 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S88 = TAPS_0 > i32(0);
+        _S90 = TAPS_0 > i32(0);
     }
     else
     {
-        _S88 = false;
+        _S90 = false;
     }
     var thinnest_0 : f32;
-    if(_S88)
+    if(_S90)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1069,9 +1087,9 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S87;
-    var direct_3 : vec3<f32> = _S87;
-    var specular_0 : vec3<f32> = _S87;
+    var deep_0 : vec3<f32> = _S89;
+    var direct_3 : vec3<f32> = _S89;
+    var specular_0 : vec3<f32> = _S89;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1082,7 +1100,7 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
             break;
         }
         var light_8 : Incident_0 = incident_0(index_1, s_7);
-        var _S89 : f32 = max(lit_most_0, light_8.shadow_filter_0);
+        var _S91 : f32 = max(lit_most_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
@@ -1091,21 +1109,21 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S88 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
+            _S90 = (dot(s_7.blurred_0, light_8.to_light_0)) < 0.30000001192092896f;
         }
         else
         {
-            _S88 = false;
+            _S90 = false;
         }
-        if(_S88)
+        if(_S90)
         {
             deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
         }
         if((light_8.shadow_filter_0) == 0.0f)
         {
-            var _S90 : i32 = index_1 + i32(1);
-            lit_most_0 = _S89;
-            index_1 = _S90;
+            var _S92 : i32 = index_1 + i32(1);
+            lit_most_0 = _S91;
+            index_1 = _S92;
             continue;
         }
         var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
@@ -1140,51 +1158,51 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
         var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_7.sharp_0, s_7.view_0, light_8.to_light_0, s_7.gloss_3, s_7.reflectance_1));
         direct_3 = direct_2;
         specular_0 = specular_1;
-        var _S90 : i32 = index_1 + i32(1);
-        lit_most_0 = _S89;
-        index_1 = _S90;
+        var _S92 : i32 = index_1 + i32(1);
+        lit_most_0 = _S91;
+        index_1 = _S92;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S91 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S91;
+        var _S93 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S93;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S92 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
-        return _S92;
+        var _S94 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(lit_most_0)), 1.0f) );
+        return _S94;
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S93 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
+        var _S95 : vec3<f32> = ambient_light_0(s_7, seen_2, gain_5) * s_7.visibility_0 + s_7.bounced_0;
         var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
-        var _S94 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
+        var _S96 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_0, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
         if(SHADING_0 == i32(2))
         {
-            _S88 = TAPS_0 > i32(0);
+            _S90 = TAPS_0 > i32(0);
         }
         else
         {
-            _S88 = false;
+            _S90 = false;
         }
-        if(_S88)
+        if(_S90)
         {
             direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_0 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S87;
+            direct_0 = _S89;
         }
-        var _S95 : vec3<f32> = direct_0;
-        direct_0 = _S94;
-        direct_1 = _S93;
-        direct_2 = _S95;
+        var _S97 : vec3<f32> = direct_0;
+        direct_0 = _S96;
+        direct_1 = _S95;
+        direct_2 = _S97;
     }
     else
     {
-        direct_0 = _S87;
-        direct_1 = _S87;
-        direct_2 = _S87;
+        direct_0 = _S89;
+        direct_1 = _S89;
+        direct_2 = _S89;
     }
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
@@ -1199,7 +1217,7 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     var deep_1 : vec3<f32> = deep_0 * body_0;
     var ambient_0 : vec3<f32> = direct_1 * body_0;
     var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S96 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S98 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
     var shown_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
@@ -1207,7 +1225,7 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     }
     else
     {
-        shown_0 = _S96;
+        shown_0 = _S98;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1233,7 +1251,7 @@ fn fragment_main( _S73 : pixelInput_0, @invariant @builtin(position) clip_1 : ve
     {
         shown_0 = min(shown_0, vec3<f32>(60000.0f));
     }
-    var _S97 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
-    return _S97;
+    var _S99 : pixelOutput_0 = pixelOutput_0( vec4<f32>(shown_0, 1.0f) );
+    return _S99;
 }
 
