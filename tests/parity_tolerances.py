@@ -44,7 +44,9 @@ PARITY = {
         "a depth of 2000 mm is known to 1e-3 near the far plane",
     ),
     "skin_linear_depth": Parity(0.0, 2e-6, "up to 2000 mm; depth to one rounding of its far plane"),
-    "skin_equirectangular_uv": Parity(1e-6, 0.0, "a polynomial stands for the arc tangent: 3e-7 of a turn"),
+    "skin_equirectangular_uv": Parity(
+        1e-6, 0.0, "a polynomial stands for the arc tangent: 3e-7 of a turn"
+    ),
     "skin_reflected_radiance": Parity(
         4e-3, 4e-3, "the place in the map, and filter weights of 8 bits between its texels"
     ),

@@ -23,7 +23,7 @@ from ..shading.tonemap import ToneMap
 from .camera import Camera
 from .environment import Environment
 from .images import read_linear
-from .lights import DirectionalLight, Light
+from .lights import DirectionalLight, Light, SpotLight
 from .maps import read_normal_map
 from .material import Material
 
@@ -80,9 +80,11 @@ def load_scene(path: str | os.PathLike[str], *, light: str = "front") -> Scene:
     ----------
     path
         JSON: ``unit_mm``, ``mesh`` (path), ``textures`` (color, normal), ``camera`` (position, target,
-        up, vfov_deg), ``sun`` (irradiance_perpendicular, to_light by name), ``environment`` (path,
-        scale, visible_to_camera) and ``materials``; lengths in ``unit_mm``. A path may be relative to
-        the file itself, or to a ``data`` folder beside it; a note may follow a texture's, after a space.
+        up, vfov_deg), ``sun`` (irradiance_perpendicular, to_light by name), ``lights``, ``environment``
+        (path, scale, visible_to_camera) and ``materials``; lengths in ``unit_mm``. Of ``lights`` each has
+        an irradiance, and to_light or, if it stands near, position, target and cone_deg (half the
+        cone's angle, 30). A path may be relative to the file itself, or to a ``data`` folder beside it; a
+        note may follow a texture's, after a space.
     light
         Which of the named sun directions.
 
@@ -126,6 +128,14 @@ class _Record:
         if not isinstance(value, dict):
             raise ArgumentError(f"{self._called(field)} is {value!r}; it must be an object")
         return _Record(self._called(field), value)
+
+    def records(self, field: str) -> list[_Record]:
+        """Return the objects in a field's list; none without it."""
+        values = self.fields.get(field, [])
+        if not isinstance(values, list):
+            raise ArgumentError(f"{self._called(field)} is {values!r}; it must be a list")
+        named = {f"{field}[{index}]": value for index, value in enumerate(values)}
+        return [_Record(self.name, named).record(name) for name in named]
 
     def text(self, field: str, default: str | None = None) -> str:
         """Return the text in a field."""
@@ -171,13 +181,26 @@ def _scene(record: _Record, file: Path, light: str) -> Scene:
             camera.vector("up", (0.0, 1.0, 0.0)),
         ),
         material,
-        _lights(record, light),
+        (*_sun(record, light), *(_light(each, unit) for each in record.records("lights"))),
         _environment(record, file),
         tone="filmic" if record.text("tonemap", "none").startswith("filmic") else "srgb",
     )
 
 
-def _lights(record: _Record, light: str) -> tuple[Light, ...]:
+def _light(record: _Record, unit: float) -> Light:
+    irradiance = record.vector("irradiance")
+    near = "position" in record.fields
+    places = [record.vector(each) for each in (("position", "target") if near else ("to_light",))]
+    cone_deg = record.number("cone_deg", 30.0, low=1.0, high=80.0)
+    try:
+        if near:
+            return SpotLight(places[0] * unit, places[1] * unit, irradiance, cone_deg)
+        return DirectionalLight(places[0], irradiance)
+    except ArgumentError as error:
+        raise ArgumentError(f"{record.name}: {error}") from None
+
+
+def _sun(record: _Record, light: str) -> tuple[Light, ...]:
     if "sun" not in record.fields:
         return ()
     sun = record.record("sun")

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import shading_tolerances as tol
-from skinshade.scene import DirectionalLight, load_scene
+from skinshade.scene import DirectionalLight, SpotLight, load_scene
 from skinshade.scene.images import write_exr, write_png
 from skinshade.shading.specular import gloss_from_roughness
 
@@ -18,6 +18,10 @@ GOOD = {
         "irradiance_perpendicular": [3.0, 2.0, 1.0],
         "to_light": {"front": [0, 0, 2], "side": [1, 0, 0]},
     },
+    "lights": [
+        {"position": [0, 3, 40], "target": [0, 3, 0], "irradiance": [1, 2, 3], "cone_deg": 20},
+        {"to_light": [0, 5, 0], "irradiance": [1, 1, 1]},
+    ],
     "environment": {"path": "sky.exr", "scale": 0.3, "visible_to_camera": True},
     "materials": {
         "other": {"base": "colour.png"},
@@ -71,8 +75,15 @@ def test_everything_in_the_file_reaches_the_scene_in_millimetres(folder):
     assert scene.camera.position_mm.tolist() == [10.0, 20.0, 300.0]
     assert scene.camera.target_mm.tolist() == [10.0, 0.0, 0.0]
     assert scene.camera.vertical_fov_deg == 25.0
-    (sun,) = scene.lights
+    sun, lamp, rim = scene.lights
     assert isinstance(sun, DirectionalLight)
+    assert isinstance(lamp, SpotLight)
+    assert lamp.position_mm.tolist() == [0.0, 30.0, 400.0]
+    assert lamp.cone_deg == 20.0
+    direction, irradiance = lamp.at(lamp.target_mm)
+    assert np.allclose(direction, [0.0, 0.0, 1.0])
+    assert np.allclose(irradiance, [1.0, 2.0, 3.0])
+    assert rim.to_light.tolist() == [0.0, 1.0, 0.0]
     assert sun.to_light.tolist() == [0.0, 0.0, 1.0]
     assert sun.irradiance.tolist() == [3.0, 2.0, 1.0]
     assert scene.environment.scale == 0.3
@@ -94,7 +105,7 @@ def test_skin_is_the_first_material_with_a_radius(folder):
 
 
 def test_another_sun_can_be_asked_for(folder):
-    (sun,) = load_scene(write(folder, GOOD), light="side").lights
+    sun, *_ = load_scene(write(folder, GOOD), light="side").lights
     assert sun.to_light.tolist() == [1.0, 0.0, 0.0]
 
 
