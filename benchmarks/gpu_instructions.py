@@ -8,7 +8,11 @@ nor what neighbouring pixels skip.
 
 from __future__ import annotations
 
+import json
 import os
+import subprocess
+import sys
+from itertools import product
 from typing import Any
 
 from skinshade.codegen.compiler import assemble
@@ -16,7 +20,8 @@ from skinshade.gpu.bindings import bind_points, override_ids
 from skinshade.render.gpu.resources import ATTRIBUTES
 from skinshade.shaders import generated_text
 
-FAMILIES = {"GFX1100": "RDNA 3", "NAVI10": "RDNA 1", "VEGA10": "GCN 5"}
+FAMILIES = {"RDNA 3": ("GFX1100", "NAVI31"), "RDNA 1": ("NAVI10",), "GCN 5": ("VEGA10",)}
+"""As Mesa calls one GPU of each, of old and since; a name that it does not know ends the process."""
 BASE = {
     "SHADING": 2,
     "TIER": 2,
@@ -201,32 +206,51 @@ def _text(name: Any) -> str:
     return name if isinstance(name, str) else vk.ffi.string(name).decode()
 
 
-def main() -> None:
-    """Print the table."""
+def variants() -> list[dict[int, int]]:
+    """Return the constants of every way with every filter, by their numbers."""
     ids = override_ids(generated_text("skin_pass.wgsl"))
-    try:
-        devices = {called: AbsentDevice(family) for family, called in FAMILIES.items()}
-    except (ImportError, OSError, LookupError) as error:
-        print(f"No table of instructions: {error}")
+    return [
+        {int(ids[name]): value for name, value in {**BASE, **way, "SHADOW_FILTER": number}.items()}
+        for number in FILTERS.values()
+        for way in WAYS.values()
+    ]
+
+
+def counted(family: str) -> list[tuple[int, int]] | None:
+    """Return cycles and registers of `variants` from a process of its own; None if it fails."""
+    command = [sys.executable, __file__, family]
+    done = subprocess.run(command, capture_output=True, text=True)
+    return json.loads(done.stdout) if done.returncode == 0 else None
+
+
+def main() -> None:
+    """Print the table, or what one GPU gives."""
+    if len(sys.argv) > 1:
+        device = AbsentDevice(sys.argv[1])
+        told = [device.statistics(each) for each in variants()]
+        print(json.dumps([(each["Inverse Throughput"], each["VGPRs"]) for each in told]))
+        return
+    columns = {
+        called: next(filter(None, map(counted, families)), None)
+        for called, families in FAMILIES.items()
+    }
+    there = {called: column for called, column in columns.items() if column is not None}
+    if not there:
+        print("No table of instructions: Mesa's driver for AMD's GPUs is not there")
         return
     print(
         "\nCycles of a wave's arithmetic, by the driver that Mesa has for GPUs that are not here\n"
     )
-    print(f"| wide filter | shading | {' | '.join(FAMILIES.values())} | registers |")
-    print("|---|---|" + "---|" * (len(devices) + 1))
-    for label, number in FILTERS.items():
-        plain: dict[str, int] = {}
-        for name, changes in WAYS.items():
-            constants = {int(ids[key]): value for key, value in (BASE | changes).items()}
-            constants[int(ids["SHADOW_FILTER"])] = number
-            cells = []
-            for called, device in devices.items():
-                told = device.statistics(constants)
-                cycles = told["Inverse Throughput"]
-                plain.setdefault(called, cycles)
-                cells.append(f"{cycles} ({cycles / plain[called]:.2f}×)")
-            registers = next(iter(devices.values())).statistics(constants)["VGPRs"]
-            print(f"| {label} | {name} | {' | '.join(cells)} | {registers} |")
+    print(f"| wide filter | shading | {' | '.join(there)} | registers |")
+    print("|---|---|" + "---|" * (len(there) + 1))
+    for row, (label, name) in enumerate(product(FILTERS, WAYS)):
+        plain = row - row % len(WAYS)
+        cells = [
+            f"{column[row][0]} ({column[row][0] / column[plain][0]:.2f}×)"
+            for column in there.values()
+        ]
+        registers = next(iter(there.values()))[row][1]
+        print(f"| {label} | {name} | {' | '.join(cells)} | {registers} |")
 
 
 if __name__ == "__main__":
