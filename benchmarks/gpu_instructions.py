@@ -3,7 +3,8 @@
 Run by ``make bench``, or as ``python benchmarks/gpu_instructions.py``; prints Markdown. Mesa's driver
 compiles for a GPU that is not there, and counts the cycles for which a wave keeps a compute unit busy, as if
 every branch were taken and every fetch came at once: arithmetic, the same on every machine; neither bandwidth
-nor what neighbouring pixels skip.
+nor what neighbouring pixels skip. It is given the source with its hints to unroll, which WGSL has not: a
+driver that keeps a loop there does the same work in more instructions.
 """
 
 from __future__ import annotations
@@ -48,6 +49,10 @@ FILTERS = {"percentage-closer": 0, "variance": 1}
 STAGES = {"vertex_main": "vertex", "fragment_main": "fragment"}
 
 
+class AbsentDriverError(Exception):
+    """There is no driver that would compile."""
+
+
 class AbsentDevice:
     """A device of Mesa's driver for a GPU that is not there: it compiles, and runs nothing.
 
@@ -59,19 +64,23 @@ class AbsentDevice:
 
     def __init__(self, family: str) -> None:
         os.environ |= {"RADV_FORCE_FAMILY": family, "RADV_DEBUG": "nocache"}
-        import vulkan as vk
-
+        try:
+            import vulkan as vk
+        except (ImportError, OSError) as error:
+            raise AbsentDriverError(f"no Vulkan ({error})") from None
         self._vk = vk
         version = vk.VkApplicationInfo(apiVersion=vk.VK_MAKE_VERSION(1, 2, 0))
-        self._instance = vk.vkCreateInstance(
-            vk.VkInstanceCreateInfo(pApplicationInfo=version), None
-        )
+        described = vk.VkInstanceCreateInfo(pApplicationInfo=version)
+        try:
+            self._instance = vk.vkCreateInstance(described, None)
+        except vk.VkErrorIncompatibleDriver:
+            raise AbsentDriverError("no Vulkan driver is there") from None
         for each in vk.vkEnumeratePhysicalDevices(self._instance):
             properties = vk.vkGetPhysicalDeviceProperties(each)
             if "Null hardware" in properties.deviceName:
                 break
         else:
-            raise LookupError("Mesa's driver for AMD's GPUs is not there")
+            raise AbsentDriverError("Mesa's driver for AMD's GPUs is not there")
         queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=0, queueCount=1, pQueuePriorities=[1.0])
         told = vk.VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR(
             pipelineExecutableInfo=True
@@ -217,10 +226,14 @@ def variants() -> list[dict[int, int]]:
 
 
 def counted(family: str) -> list[tuple[int, int]] | None:
-    """Return cycles and registers of `variants` from a process of its own; None if it fails."""
+    """Return cycles and registers of `variants` from a process of its own; None, said why, if it fails."""
     command = [sys.executable, __file__, family]
     done = subprocess.run(command, capture_output=True, text=True)
-    return json.loads(done.stdout) if done.returncode == 0 else None
+    if done.returncode == 0:
+        return json.loads(done.stdout)
+    why = done.stderr.strip().splitlines() or [f"ended with {done.returncode}"]
+    print(f"{family}: {why[-1]}", file=sys.stderr)
+    return None
 
 
 def main() -> None:
@@ -236,7 +249,7 @@ def main() -> None:
     }
     there = {called: column for called, column in columns.items() if column is not None}
     if not there:
-        print("No table of instructions: Mesa's driver for AMD's GPUs is not there")
+        print("No table of instructions")
         return
     print(
         "\nCycles of a wave's arithmetic, by the driver that Mesa has for GPUs that are not here\n"

@@ -13,6 +13,7 @@ from .._core.errors import BackendError
 __all__ = ["adapters", "open_device"]
 
 WANTED = ("float32-filterable", "timestamp-query")
+"""The first is for tables in full, with which the parity of the library is measured."""
 PREFERENCE = ("DiscreteGPU", "IntegratedGPU", "VirtualGPU", "CPU", "Unknown")
 
 

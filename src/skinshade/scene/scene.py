@@ -190,6 +190,10 @@ def _scene(record: _Record, file: Path, light: str) -> Scene:
 def _light(record: _Record, unit: float) -> Light:
     irradiance = record.vector("irradiance")
     near = "position" in record.fields
+    for other in ("to_light",) if near else ("target", "cone_deg"):
+        if other in record.fields:
+            which = "a position" if near else "no position"
+            raise ArgumentError(f"{record.name} has {which} and {other!r}; a light is near or far")
     places = [record.vector(each) for each in (("position", "target") if near else ("to_light",))]
     cone_deg = record.number("cone_deg", 30.0, low=1.0, high=80.0)
     try:

@@ -166,12 +166,15 @@ def _diffused(
     directional, total = direct.directional_curvature(
         surface.tensor_world, surface.mesh_normal, light.to_light
     )
-    if tier == "tensor" or surface.diffused_normals is None or surface.unexplained is None:
+    if tier == "tensor" or surface.diffused_normals is None:
         return direct.direct_tensor(
             skin.ring, skin.transfer, seen, light.to_light, directional, total, gain
         )
     both = normals.add_mesh_diffusion(seen, surface.diffused_normals, surface.mesh_normal)
-    relief = np.sqrt(dot(seen, seen)) * surface.unexplained
+    if surface.unexplained is None:
+        relief = direct.unexplained_length(skin.transfer, seen, surface.diffused_normals, total)
+    else:
+        relief = np.sqrt(dot(seen, seen)) * surface.unexplained
     return direct.direct_diffused_normals(
         skin.ring, skin.transfer, both, relief, light.to_light, directional, gain
     )

@@ -36,8 +36,8 @@ class Surface:
     diffused_curvature_per_mm
         (N, 3) mean curvature diffused by the profile, or None; the energy gain takes it.
     unexplained
-        (N, 3) of `skinshade.shading.direct.unexplained_length` where the map is flat, or None. It varies
-        no faster than vertices stand, and is found for them.
+        (N, 3) of `skinshade.shading.direct.unexplained_length` where the map is flat, which varies no
+        faster than vertices stand and can be found for them; None, and it is found for each pixel.
     """
 
     view: FloatArray

@@ -16,7 +16,7 @@ from benchmark_scripts import benchmark
 script = benchmark("gpu_instructions")
 try:
     device = script.AbsentDevice("NAVI21")
-except (ImportError, OSError, LookupError) as error:
+except script.AbsentDriverError as error:
     sys.exit(f"absent: {error}")
 ids = script.override_ids(script.generated_text("skin_pass.wgsl"))
 for changes in json.loads(sys.argv[1]):
@@ -55,7 +55,7 @@ def counted(repository):
         capture_output=True,
         text=True,
     )
-    if done.returncode and "absent: " in done.stderr:
+    if "absent: " in done.stderr or "Unknown family" in done.stderr:
         pytest.skip(done.stderr.strip().splitlines()[-1])
     assert done.returncode == 0, done.stderr
     lines = iter(done.stdout.splitlines())

@@ -159,20 +159,32 @@ def test_beyond_the_rim_of_a_sheet_taps_find_nothing():
     assert rim == pytest.approx(3.0, abs=0.7)
 
 
-def test_the_outermost_texels_see_nothing_and_so_does_what_is_beyond_them():
-    """A cone that the body fills and reaches beyond."""
-    narrow = SpotLight((0.0, 0.0, 700.0), (0.0, 0.0, 0.0), ONES, 2.0)
-    seen = render_shadow_map(narrow, wall(150.0))
-    for depths in (seen.first, seen.occluders):
-        assert np.isfinite(depths[1:-1, 1:-1]).all()
-        assert np.isinf(np.concatenate([depths[[0, -1]].ravel(), depths[:, [0, -1]].ravel()])).all()
+def test_outside_a_map_goes_on_what_its_rim_sees():
+    """A floor under a roof that reach past the lamp's cone; past a directional light's map is nothing."""
     points, normals = (
         np.array([[-10.0, 0.0, 0.0], [-60.0, 0.0, 0.0]]),
         np.tile([0.0, 0.0, 1.0], (2, 1)),
     )
-    under, beyond = seen.thickness(points, normals, 0.0, 1.0, 8)
-    assert under == pytest.approx(50.0, abs=tol.SLAB_MM.value)
-    assert beyond == 0.0
+    narrow = SpotLight((0.0, 0.0, 700.0), (0.0, 0.0, 0.0), ONES, 2.0)
+    found = render_shadow_map(narrow, wall(150.0)).thickness(points, normals, 0.0, 1.0, 8)
+    assert np.abs(found - 50.0).max() <= tol.SLAB_MM.value
+    parallel = render_shadow_map(ABOVE, wall(150.0))
+    for depths in (parallel.first, parallel.occluders):
+        rim = np.concatenate([depths[[0, -1]].ravel(), depths[:, [0, -1]].ravel()])
+        assert np.isinf(rim).all()
+
+
+@pytest.mark.parametrize("kind", ["percentage-closer", "variance"])
+def test_up_to_the_rim_of_a_cone_that_the_body_fills_shadow_is_shadow(kind):
+    """Beyond the rim the roof goes on, whatever the map sees there."""
+    narrow = SpotLight((0.0, 0.0, 700.0), (0.0, 0.0, 0.0), ONES, 2.0)
+    points = np.zeros((2, 3))
+    points[:, 0] = -23.5, 23.5
+    normals, to_light = np.tile([0.0, 0.0, 1.0], (2, 1)), narrow.at(points)[0]
+    seen = render_shadow_map(narrow, wall(150.0))
+    shadowed, lit = seen.shadow_filter(points, normals, to_light, np.zeros(2), 10.0, kind)
+    assert shadowed <= tol.SHADOW_PROFILE.value
+    assert lit == pytest.approx(1.0, abs=tol.SHADOW_PROFILE.value)
 
 
 def test_few_filters_serve_every_reach_and_none_is_wider_than_the_map():

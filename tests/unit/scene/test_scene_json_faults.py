@@ -72,6 +72,8 @@ WRONG = (
     ("lights", [{"irradiance": [1, 1, 1], "to_light": [0, 0, 0]}]),
     ("lights", [{"irradiance": [1, -1, 1], "to_light": [0, 0, 1]}]),
     ("lights", [{"irradiance": [1, 1, 1], "position": [0, 0, 1], "target": [0, 0, 1]}]),
+    ("lights", [{"irradiance": [1, 1, 1], "position": [0, 0, 1], "to_light": [0, 0, 1]}]),
+    ("lights", [{"irradiance": [1, 1, 1], "to_light": [0, 0, 1], "cone_deg": 9}]),
     ("lights", [{"irradiance": [1, 1, 1], "position": [0, 0, 1], "target": [0, 0], "cone_deg": 9}]),
     (
         "lights",

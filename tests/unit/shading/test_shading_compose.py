@@ -11,6 +11,7 @@ from skinshade.profile import Profile
 from skinshade.profile.energy import energy_gain
 from skinshade.shading.compose import TERMS, shade
 from skinshade.shading.deep_scatter import transmittance
+from skinshade.shading.direct import directional_curvature, unexplained_length
 from skinshade.shading.pixel import Ambient, Incident, Surface
 from skinshade.shading.skin import Skin
 from skinshade.shading.specular import ambient_specular_fresnel, diffuse_share, specular
@@ -250,6 +251,22 @@ def test_half_a_sky_gives_half_the_ambient_light(skin, mode):
         for share in (1.0, 0.5)
     )
     assert np.allclose(half, 0.5 * whole, rtol=tol.ROUNDING.value)
+
+
+@given(seed=SEED)
+def test_what_folds_leave_may_be_found_for_vertices_or_for_pixels(skin, seed):
+    surface, light = random_surface(seed), random_light(seed)
+    n = surface.mesh_normal
+    _, total = directional_curvature(surface.tensor_world, n, light.to_light)
+    flat = np.repeat(n[:, None], 3, axis=1)
+    found = unexplained_length(skin.transfer, flat, surface.diffused_normals, total)
+    at_vertices, at_pixels, none = (
+        shade(skin, replace(surface, unexplained=each), [light], None, "transfer")["direct"]
+        for each in (found, None, np.ones_like(found))
+    )
+    assert np.allclose(at_vertices, at_pixels, rtol=1e-9, atol=1e-12)
+    bumps = (found < 0.999).any(axis=1) & (light.shadow_filter > 0.01)
+    assert (at_vertices >= none - 1e-12).all() or not bumps.any()
 
 
 def test_a_convex_body_returns_more_of_an_even_sky_by_its_gain(skin):

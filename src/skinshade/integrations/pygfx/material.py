@@ -12,6 +12,7 @@ from ..._core.errors import ArgumentError, BackendError
 from ...params import SkinParams
 from ...params.packing import layout
 from ...profile import Profile
+from ...render.renderer import TAP_COUNTS
 from ...scene import Material
 from ...shading.skin import Skin
 from .maps import color_map, normal_map, table
@@ -24,7 +25,6 @@ TABLES: dict[Tier, tuple[str, ...]] = {
     "scalar": ("sphere", "shadow"),
     "tensor": ("ring", "transfer", "shadow"),
 }
-TAPS = (0, 8, 32)
 SHADER_TYPES = {"float4": "4xf4", "float2": "2xf4", "float": "f4"}
 
 
@@ -149,7 +149,7 @@ class SkinMaterial(pygfx.MeshPhongMaterial):  # type: ignore[misc]  # pygfx has 
     @deep_scatter_taps.setter
     def deep_scatter_taps(self, value: int) -> None:
         """Take another number of them."""
-        if value not in TAPS:
+        if value not in TAP_COUNTS:
             raise ArgumentError(f"deep_scatter_taps is {value!r}; it must be 0, 8 or 32")
         self._store.deep_scatter_taps = value
 

@@ -46,7 +46,7 @@ class ShadowMap:
     seen
         How the light sees the body.
     first
-        (S, S) the nearest surface; infinite where there is none, and in the outermost texels.
+        (S, S) the nearest surface; infinite where there is none.
     occluders
         (S, S) what shadows: the nearest surface that faces away, or `first` and `ATTACHED_MM` more.
     """
@@ -152,8 +152,8 @@ class ShadowMap:
         if reach not in self.cache:
             size = 2 * reach + 1
             self.cache[reach] = (
-                minimum_filter(self.occluders, size=size, mode="constant", cval=np.inf),
-                maximum_filter(self.occluders, size=size, mode="constant", cval=np.inf),
+                minimum_filter(self.occluders, size=size, mode="nearest"),
+                maximum_filter(self.occluders, size=size, mode="nearest"),
             )
         return self.cache[reach]
 
@@ -196,7 +196,7 @@ def _compared(depths: FloatArray, x: FloatArray, y: FloatArray, depth: FloatArra
 
 
 def _texel(depths: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
-    """What lies outside a map is what its outermost texels see: nothing."""
+    """Outside a map goes on what its rim sees: nothing, or a body that reaches past a lamp's cone."""
     last = MAP_SIZE - 1
     at = np.clip(y, 0, last).astype(np.int64) * MAP_SIZE + np.clip(x, 0, last).astype(np.int64)
     return depths.ravel()[at]
@@ -208,11 +208,6 @@ def render_shadow_map(light: Light, mesh: Mesh) -> ShadowMap:
     seen = mesh.positions_mm @ view.view[:3, :3].T + view.view[:3, 3]
     clip = seen @ view.projection[:, :3].T + view.projection[:, 3]
     first, away = depth_maps(clip, -seen[:, 2], mesh.faces, (MAP_SIZE, MAP_SIZE))
-    rim = np.ones(first.shape, dtype=bool)
-    rim[1:-1, 1:-1] = (
-        False  # a directional light's map is wider than the body, a lamp's than its cone
-    )
-    first[rim] = away[rim] = np.inf
     return ShadowMap(view, first, np.minimum(away, first + ATTACHED_MM))
 
 

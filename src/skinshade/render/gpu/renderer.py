@@ -160,7 +160,7 @@ class GpuRenderer(Renderer):
             self._sample(way, MULTISAMPLES if multisampled else 1)
             if len(offsets) > 1:
                 light = self._sum(index)
-                self._keep_time()  # so that no more is under way than one sample
+                self._keep_time()  # where passes are timed it waits: one sample is under way
         self._progress("shading", 1.0)
         linear = tone == "linear"
         target, kind = (targets.linear, LIGHT) if linear else (targets.shown, SHOWN)

@@ -66,8 +66,6 @@ class Shadows:
                 **self._stopwatch.around("shadow map"),
             )
             work.set_pipeline(pipeline)
-            # The outermost texels see nothing: so does what is beyond them.
-            work.set_scissor_rect(1, 1, MAP_SIZE - 2, MAP_SIZE - 2)
             work.set_bind_group(0, group)
             work.set_vertex_buffer(0, self.resources.vertices)
             work.set_index_buffer(self.resources.indices, "uint32")

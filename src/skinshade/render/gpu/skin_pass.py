@@ -38,7 +38,7 @@ class SkinPass:
     def depth_pipeline(self, samples: int) -> wgpu.GPURenderPipeline:
         """Return what draws depth alone."""
         return self._program.pipeline(
-            {"SHADING": 0}, targets=[], vertex_floats=4 * ATTRIBUTES, depth="less", samples=samples
+            {}, targets=[], vertex_floats=4 * ATTRIBUTES, depth="less", samples=samples
         )
 
     def pipeline(self, way: RenderSettings, target: str, samples: int) -> wgpu.GPURenderPipeline:
