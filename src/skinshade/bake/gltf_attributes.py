@@ -1,4 +1,4 @@
-"""What a baked primitive carries: its attributes' names, their accessors, and the note in ``extras``."""
+"""What a baked primitive carries: accessors of its attributes, and the note in ``extras``."""
 
 from __future__ import annotations
 
@@ -8,17 +8,12 @@ import numpy as np
 
 from .._core.arrays import FloatArray, IntArray
 from .._core.version import __version__
+from ..mesh.baked import GLTF_NAMES
 from .analysis import Analysed
 from .settings import BakeSettings
 
-__all__ = ["NAMES", "AccessorWriter", "baked_note"]
+__all__ = ["AccessorWriter", "baked_note"]
 
-NAMES = {
-    "curvature": (("_CURVATURE", slice(0, 1)),),
-    "tensor": (("_CURVATURE_TENSOR_0", slice(0, 3)), ("_CURVATURE_TENSOR_1", slice(3, 6))),
-    "thickness": (("_THICKNESS", slice(0, 1)),),
-}
-"""Attributes of a primitive, and which numbers of the analysis they hold: xx xy xz, then yy yz zz."""
 UNITS = {"curvature": "1/mm", "tensor": "1/mm", "thickness": "mm"}
 TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}
 FLOAT, UNSIGNED_INT = 5126, 5125
@@ -72,5 +67,7 @@ def baked_note(analysed: Analysed, unit_mm: float, settings: BakeSettings) -> di
         "unit_mm": unit_mm,
         "profile": settings.profile,
         "uv_scale_mm": analysed.uv_scale_mm,
-        "attributes": {name: UNITS[key] for key in analysed.attributes for name, _ in NAMES[key]},
+        "attributes": {
+            name: UNITS[key] for key in analysed.attributes for name, _ in GLTF_NAMES[key]
+        },
     }

@@ -13,11 +13,12 @@ from .._core.arrays import FloatArray, IntArray, as_positions, dot
 from .._core.errors import MeshFileError
 from .._core.progress import Progress, silent
 from .._core.units import GLTF_UNIT_MM
+from ..mesh.baked import GLTF_NAMES
 from .accessors import FAN, STRIP, TRIANGLES, read_accessor, read_triangles
 from .analysis import Analysed, Body, analyse
 from .draco import DRACO, read_draco
 from .gltf import REFUSED, GltfFile
-from .gltf_attributes import NAMES, AccessorWriter, baked_note
+from .gltf_attributes import AccessorWriter, baked_note
 from .placement import placements, scale_of
 from .settings import BakeSettings
 
@@ -310,7 +311,7 @@ class _Writer:
         """Add what was baked of one mesh, and say so in its extras."""
         mesh = self.document["meshes"][index]
         for key, values in result.attributes.items():
-            for name, numbers in NAMES[key]:
+            for name, numbers in GLTF_NAMES[key]:
                 for part in parts:
                     attributes = mesh["primitives"][part.number]["attributes"]
                     place = (id(result), name, part.vertices.start)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
 from glob import escape
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -25,8 +26,9 @@ from .maps import UNITS as MAP_UNITS
 from .settings import BakeSettings
 from .thumbnails import thumbnails
 
-__all__ = ["Job", "JobResult", "plan", "run"]
+__all__ = ["Job", "JobResult", "counted", "failed", "plan", "run"]
 
+Status = Literal["baked", "current", "failed"]
 RECORDS = ".skinshade"
 """Folder beside the assets: a record of each, so that what is current is not baked again."""
 HISTOGRAM_BINS = 48
@@ -78,7 +80,7 @@ class JobResult:
 
     source: str
     output: str
-    status: Literal["baked", "current", "failed"]
+    status: Status
     error: str = ""
     key: str = ""
     files: dict[str, str] = field(default_factory=dict)
@@ -163,13 +165,13 @@ def run(job: Job) -> JobResult:
         with atomic_write(job.record) as temporary:
             temporary.write_text(json.dumps(asdict(result), indent=1) + "\n", encoding="utf-8")
     except SkinshadeError as error:
-        return _failed(job, str(error))
+        return failed(job, str(error))
     except (MemoryError, RecursionError):
-        return _failed(job, f"{job.source}: out of memory")
+        return failed(job, f"{job.source}: out of memory")
     except OSError as error:
-        return _failed(job, f"{job.source}: {error}")
+        return failed(job, f"{job.source}: {error}")
     except Exception as error:
-        return _failed(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
+        return failed(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
     return result
 
 
@@ -183,8 +185,15 @@ def _sweep(job: Job) -> None:
             left.unlink(missing_ok=True)
 
 
-def _failed(job: Job, error: str) -> JobResult:
+def failed(job: Job, error: str) -> JobResult:
+    """Return the result of a job that came to nothing, and why."""
     return JobResult(str(job.source), str(job.output), "failed", error=error)
+
+
+def counted(results: Iterable[JobResult]) -> dict[str, int]:
+    """Return how many there are of each status."""
+    count = Counter(each.status for each in results)
+    return {status: count[status] for status in get_args(Status)}
 
 
 def _models(source: Path, folder: Path) -> list[Path]:

@@ -17,7 +17,7 @@ from .._core.errors import ArgumentError, BackendError, DependencyError
 from .._core.files import atomic_write
 from .._core.progress import Progress, silent
 from .._core.version import __version__
-from .jobs import Job, JobResult, run
+from .jobs import Job, JobResult, counted, failed, run
 
 __all__ = ["bake_library", "write_report"]
 
@@ -76,10 +76,7 @@ def bake_library(
 
 def write_report(results: list[JobResult], path: Path) -> None:
     """Write what became of every asset, as JSON."""
-    count = dict.fromkeys(("baked", "current", "failed"), 0)
-    for each in results:
-        count[each.status] += 1
-    content: dict[str, Any] = {"version": __version__, **count}
+    content: dict[str, Any] = {"version": __version__, **counted(results)}
     content["assets"] = [asdict(each) for each in results]
     with atomic_write(path) as temporary:
         temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
@@ -104,7 +101,7 @@ def _on_processes(
                 left.discard(index)
                 job = jobs[index]
                 why = f"{job.source}: its process was killed {MOST_DEATHS} times; is memory short?"
-                yield index, JobResult(str(job.source), str(job.output), "failed", error=why)
+                yield index, failed(job, why)
 
 
 def _until_a_death(
@@ -163,5 +160,5 @@ def _on_cluster(
                 result = client.submit(work, job, retries=MOST_DEATHS, pure=False).result()
             except Exception as error:
                 why = f"{job.source}: the cluster gave up on it ({type(error).__name__}: {error})"
-                result = JobResult(str(job.source), str(job.output), "failed", error=why)
+                result = failed(job, why)
             yield index, result

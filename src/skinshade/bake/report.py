@@ -9,7 +9,7 @@ from typing import Any
 
 from .._core.files import atomic_write
 from .._core.version import __version__
-from .jobs import Job, JobResult
+from .jobs import Job, JobResult, counted
 
 __all__ = ["write_page"]
 
@@ -41,8 +41,7 @@ def write_page(jobs: list[Job], results: list[JobResult], path: Path) -> None:
     OutputError
         If the place cannot be written.
     """
-    count = {status: sum(each.status == status for each in results) for status in STATUSES}
-    said = ", ".join(f"{number} {status}" for status, number in count.items())
+    said = ", ".join(f"{number} {status}" for status, number in counted(results).items())
     rows = [_row(job, result, path.parent) for job, result in zip(jobs, results, strict=True)]
     page = [
         "<!doctype html>",
@@ -56,9 +55,6 @@ def write_page(jobs: list[Job], results: list[JobResult], path: Path) -> None:
     ]
     with atomic_write(path) as temporary:
         temporary.write_text("\n".join(page) + "\n", encoding="utf-8")
-
-
-STATUSES = ("baked", "current", "failed")
 
 
 def _row(job: Job, result: JobResult, folder: Path) -> str:

@@ -13,9 +13,10 @@ from .._core.errors import ArgumentError, DependencyError
 from .._core.files import atomic_write
 from .._core.units import GLTF_UNIT_MM
 from .._core.version import __version__
+from ..mesh.baked import GLTF_NAMES
 from .analysis import Analysed, Body
 from .gltf import glb_bytes
-from .gltf_attributes import NAMES, AccessorWriter, baked_note
+from .gltf_attributes import AccessorWriter, baked_note
 from .settings import BakeSettings
 
 __all__ = ["write_table"]
@@ -86,7 +87,7 @@ def _glb(body: Body, analysed: Analysed, unit_mm: float, settings: BakeSettings)
     if body.uvs is not None:
         attributes["TEXCOORD_0"] = accessors.vertices(body.uvs)
     for key, values in analysed.attributes.items():
-        for name, numbers in NAMES[key]:
+        for name, numbers in GLTF_NAMES[key]:
             attributes[name] = accessors.vertices(values[:, numbers])
     primitive = {"attributes": attributes, "indices": accessors.corners(body.faces)}
     note = baked_note(analysed, GLTF_UNIT_MM, settings)

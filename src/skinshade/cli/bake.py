@@ -9,7 +9,7 @@ import typer
 from .._core.errors import ArgumentError, InputError, OutputError
 from .._core.units import parse_unit_mm
 from ..bake import BakeSettings, bake
-from ..bake.jobs import JobResult, plan
+from ..bake.jobs import JobResult, counted, plan
 from ..bake.library import bake_library, write_report
 from ..bake.report import write_page
 from .progress import terminal_progress
@@ -105,15 +105,11 @@ def _bake_one(source: Path, output: Path, settings: BakeSettings) -> None:
 
 
 def _tell(results: list[JobResult], output: Path) -> None:
-    failed = [each for each in results if each.status == "failed"]
-    for each in failed:
-        typer.echo(f"skinshade: error: {each.error}", err=True)
-    count = {
-        status: sum(each.status == status for each in results) for status in ("baked", "current")
-    }
-    typer.echo(
-        f"{output}: {count['baked']} baked, {count['current']} current, {len(failed)} failed;"
-        f" {output / REPORT}"
-    )
-    if failed:
-        raise InputError(f"{len(failed)} of {len(results)} models failed")
+    for each in results:
+        if each.status == "failed":
+            typer.echo(f"skinshade: error: {each.error}", err=True)
+    count = counted(results)
+    said = ", ".join(f"{number} {status}" for status, number in count.items())
+    typer.echo(f"{output}: {said}; {output / REPORT}")
+    if count["failed"]:
+        raise InputError(f"{count['failed']} of {len(results)} models failed")

@@ -7,7 +7,7 @@ from typing import Protocol
 import wgpu
 
 from ..lut import Lut
-from .textures import lut_texture
+from .textures import filtered_texture
 
 __all__ = ["HasLuts", "LutTextures"]
 
@@ -37,5 +37,5 @@ class LutTextures:
     def __getitem__(self, name: str) -> wgpu.GPUTexture:
         """Return one table's texture."""
         if name not in self._textures:
-            self._textures[name] = lut_texture(self._device, self._source.lut(name).values)
+            self._textures[name] = filtered_texture(self._device, [self._source.lut(name).values])
         return self._textures[name]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import wgpu
+from numpy.typing import NDArray
 
 from .._core.arrays import ImageArray
 
-__all__ = ["buffer", "loaded_texture", "lut_texture", "mip_texture"]
+__all__ = ["buffer", "filtered_texture", "loaded_texture", "rgba"]
 
 USAGE = wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST
 
@@ -17,23 +20,22 @@ def buffer(device: wgpu.GPUDevice, data: bytes, usage: int) -> wgpu.GPUBuffer:
     return device.create_buffer_with_data(data=data, usage=usage | wgpu.BufferUsage.COPY_DST)
 
 
-def lut_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
-    """Return a table (H, W, 3) as half floats: a head in them is within .03 of 255 of one in float32."""
-    return _texture(device, [_rgba(values)], "rgba16float")
+def filtered_texture(device: wgpu.GPUDevice, levels: list[ImageArray]) -> wgpu.GPUTexture:
+    """Return mip levels (h, w, C), or the one of a table, as half floats, which every device filters.
 
-
-def mip_texture(device: wgpu.GPUDevice, levels: list[ImageArray]) -> wgpu.GPUTexture:
-    """Return mip levels (h, w, C) as half floats, which every device filters."""
-    return _texture(device, [_rgba(level) for level in levels], "rgba16float")
+    Tables in them change a head by .03 of 255 at most.
+    """
+    return _texture(device, [rgba(level) for level in levels], "rgba16float")
 
 
 def loaded_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
     """Return a picture (H, W, 3) as float32, for programs that load its texels."""
-    return _texture(device, [_rgba(values)], "rgba32float")
+    return _texture(device, [rgba(values)], "rgba32float")
 
 
-def _rgba(values: ImageArray) -> ImageArray:
-    full = np.ones((*values.shape[:-1], 4), dtype=np.float32)
+def rgba(values: ImageArray, kind: type[np.floating[Any]] = np.float32) -> NDArray[Any]:
+    """Return (..., C) with as many channels as textures have, 4; what is not there is 1."""
+    full = np.ones((*values.shape[:-1], 4), dtype=kind)
     full[..., : values.shape[-1]] = values
     return full
 

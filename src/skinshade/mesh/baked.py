@@ -8,15 +8,16 @@ from typing import Any
 import numpy as np
 
 from .._core.arrays import FloatArray
+from .curvature import SYMMETRIC_ROWS
 
-__all__ = ["BAKED_NAMES", "baked_attributes", "baked_unit_mm"]
+__all__ = ["GLTF_NAMES", "baked_attributes", "baked_unit_mm"]
 
-BAKED_NAMES = ("curvature", "tensor", "thickness")
-"""What `skinshade.mesh.vertex_attributes` takes of a mesh instead of computing it."""
-SCALARS = {"_CURVATURE": "curvature", "_THICKNESS": "thickness"}
-TENSOR = ("_CURVATURE_TENSOR_0", "_CURVATURE_TENSOR_1")
-ROWS = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
-"""Where the entries of a symmetric matrix stand among xx xy xz yy yz zz."""
+GLTF_NAMES = {
+    "curvature": (("_CURVATURE", slice(0, 1)),),
+    "tensor": (("_CURVATURE_TENSOR_0", slice(0, 3)), ("_CURVATURE_TENSOR_1", slice(3, 6))),
+    "thickness": (("_THICKNESS", slice(0, 1)),),
+}
+"""What is baked, by the attributes of a primitive that hold it, and which of its numbers each holds."""
 
 
 def baked_unit_mm(extras: Any, matrix: FloatArray) -> float | None:
@@ -51,23 +52,29 @@ def baked_attributes(
         (4, 4) from the mesh's axes to the scene's.
     """
     found = {}
-    for stored, name in SCALARS.items():
-        values = attributes.get(stored)
-        if values is not None and values.size == len(values) and np.isfinite(values).all():
-            found[name] = values.reshape(-1)
-    halves = [attributes.get(name) for name in TENSOR]
-    if all(half is not None and half.ndim == 2 and half.shape[1] == 3 for half in halves):
-        six = np.concatenate([half for half in halves if half is not None], axis=1)
-        if np.isfinite(six).all():
-            found["tensor"] = _turned(six, matrix)
+    for key, parts in GLTF_NAMES.items():
+        columns = [
+            _columns(attributes.get(name), numbers.stop - numbers.start) for name, numbers in parts
+        ]
+        there = [each for each in columns if each is not None]
+        if len(there) == len(parts):
+            values = np.concatenate(there, axis=1)
+            found[key] = _turned(values, matrix) if key == "tensor" else values[:, 0]
     return found
+
+
+def _columns(values: FloatArray | None, width: int) -> FloatArray | None:
+    """An attribute as (V, width), if it is that and finite."""
+    if values is None or values.ndim > 2 or values.size != width * len(values):
+        return None
+    return values.reshape(len(values), width) if np.isfinite(values).all() else None
 
 
 def _turned(six: FloatArray, matrix: FloatArray) -> FloatArray:
     """Symmetric tensors (V, 6) in the axes that a matrix turns theirs into."""
     left, _, right = np.linalg.svd(matrix[:3, :3])
     turn = left @ right
-    full = six[:, np.array(ROWS)]
+    full = six[:, np.array(SYMMETRIC_ROWS)]
     turned = np.einsum("ia,vab,jb->vij", turn, full, turn)
     rows, columns = np.triu_indices(3)
     return turned[:, rows, columns]

@@ -33,6 +33,8 @@ CurvatureMethod = Literal["shape-operator", "edges"]
 
 SYMMETRIC = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 """Order in which the six numbers of a symmetric 3×3 tensor are kept."""
+SYMMETRIC_ROWS = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
+"""Where the entries of a symmetric matrix stand among xx xy xz yy yz zz."""
 BLOCK = 1 << 13
 """Vertices, or faces, worked on at once: what they need stays in a cache, however large the mesh."""
 FIT_RIDGE = 1e-9
@@ -125,9 +127,9 @@ def tensor_to_world(tensor: FloatArray, normals: FloatArray) -> FloatArray:
 def apply_symmetric(world: FloatArray, vectors: FloatArray) -> FloatArray:
     """Return the tensors (..., 6) times vectors (..., 3)."""
     x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
-    rows = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
     return np.stack(
-        [world[..., a] * x + world[..., b] * y + world[..., c] * z for a, b, c in rows], axis=-1
+        [world[..., a] * x + world[..., b] * y + world[..., c] * z for a, b, c in SYMMETRIC_ROWS],
+        axis=-1,
     )
 
 

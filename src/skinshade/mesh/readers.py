@@ -13,7 +13,7 @@ from .._core.arrays import FloatArray
 from .._core.errors import MeshFileError, SkinshadeError, UnitError, UnitWarning
 from .._core.files import existing_file
 from .._core.units import GLTF_UNIT_MM, checked_unit_mm
-from .baked import BAKED_NAMES, baked_attributes, baked_unit_mm
+from .baked import GLTF_NAMES, baked_attributes, baked_unit_mm
 from .model import Mesh
 
 __all__ = ["GLTF_SUFFIXES", "SUFFIXES", "load_mesh"]
@@ -73,7 +73,7 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         # Baked for another size, or for none that is known: curvature is not what it says.
         for part in parts:
             part["attributes"] = {
-                key: value for key, value in part["attributes"].items() if key not in BAKED_NAMES
+                key: value for key, value in part["attributes"].items() if key not in GLTF_NAMES
             }
     try:
         mesh = Mesh.checked(**_joined(parts, file), unit_mm=unit, name=str(file))

@@ -195,7 +195,7 @@ def _light(record: _Record, unit: float) -> Light:
             which = "a position" if near else "no position"
             raise ArgumentError(f"{record.name} has {which} and {other!r}; a light is near or far")
     places = [record.vector(each) for each in (("position", "target") if near else ("to_light",))]
-    cone_deg = record.number("cone_deg", 30.0, low=1.0, high=80.0)
+    cone_deg = record.number("cone_deg", SpotLight.cone_deg)
     try:
         if near:
             return SpotLight(places[0] * unit, places[1] * unit, irradiance, cone_deg)

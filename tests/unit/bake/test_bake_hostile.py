@@ -151,6 +151,17 @@ def test_instances_beyond_number_as_one_mesh(tmp_path):
     refused(path, "too many", out="out.ply")
 
 
+def in_its_own_process(script, path):
+    """What a script says that is given a file and where to bake it."""
+    return subprocess.run(
+        [sys.executable, "-c", script, str(path), str(path.parent / "out.glb")],
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+
+
 def needed_by(form, folder, size):
     """Peak memory of a process of its own that bakes a file with a texture of a size."""
     built = SOUND()
@@ -162,13 +173,8 @@ def needed_by(form, folder, size):
         bake(sys.argv[1], sys.argv[2])
         print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
     """)
-    ended = subprocess.run(
-        [sys.executable, "-c", script, str(path), str(folder / "out.glb")],
-        capture_output=True,
-        text=True,
-        timeout=100,
-        check=True,
-    )
+    ended = in_its_own_process(script, path)
+    ended.check_returncode()
     return int(ended.stdout) * 1024
 
 
@@ -230,13 +236,7 @@ def test_limits_hold_in_a_process_of_little_memory(tmp_path):
     if sys.platform != "linux":
         pytest.skip("the limit and the figure are Linux's")
     assert resource.RLIMIT_AS
-    ended = subprocess.run(
-        [sys.executable, "-c", script, str(path), str(tmp_path / "out.glb")],
-        capture_output=True,
-        text=True,
-        timeout=100,
-        check=False,
-    )
+    ended = in_its_own_process(script, path)
     assert ended.stdout.startswith("refused"), ended.stderr
 
 

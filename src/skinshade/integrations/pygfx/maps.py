@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..._core.arrays import ImageArray
 from ..._core.errors import ArgumentError
+from ...gpu.textures import rgba
 from ...scene.maps import steepened
 
 __all__ = ["color_map", "normal_map", "table"]
@@ -19,7 +20,7 @@ def color_map(given: Any) -> Any:
     """Return linear colours (H, W, 3) as a map with mips; pygfx's own as they are."""
     if not isinstance(given, np.ndarray):
         return given
-    return _placed(_with_mips(_rgba(_picture("map", given), np.float16)))
+    return _placed(_with_mips(rgba(_picture("map", given), np.float16)))
 
 
 def normal_map(given: Any, strength: float) -> pygfx.TextureMap | None:
@@ -38,7 +39,7 @@ def normal_map(given: Any, strength: float) -> pygfx.TextureMap | None:
         return None
     if isinstance(given, np.ndarray):
         normals = steepened(_picture("normal_map", given), strength)
-        return _placed(_with_mips(_rgba(0.5 + 0.5 * normals, np.float32)))
+        return _placed(_with_mips(rgba(0.5 + 0.5 * normals, np.float32)))
     if strength != 1.0:
         raise ArgumentError(
             f"params.normal_strength is {strength:g}; it is averaged into the mips: give normal_map as"
@@ -51,7 +52,7 @@ def normal_map(given: Any, strength: float) -> pygfx.TextureMap | None:
 
 def table(values: ImageArray) -> pygfx.Texture:
     """Return a table (H, W, 3) as float32, which pygfx's devices can filter."""
-    return pygfx.Texture(_rgba(values, np.float32), dim=2, colorspace="physical")
+    return pygfx.Texture(rgba(values, np.float32), dim=2, colorspace="physical")
 
 
 def _smooth(texture: pygfx.Texture) -> pygfx.Texture:
@@ -71,7 +72,7 @@ def _smooth(texture: pygfx.Texture) -> pygfx.Texture:
     if data.dtype.kind == "f" and texture.generate_mipmaps:
         return texture
     most = np.iinfo(data.dtype).max if data.dtype.kind == "u" else 1
-    return _with_mips(_rgba((data[..., :3] / most).astype(np.float32), np.float32))
+    return _with_mips(rgba((data[..., :3] / most).astype(np.float32), np.float32))
 
 
 def _picture(name: str, values: NDArray[Any]) -> ImageArray:
@@ -88,9 +89,3 @@ def _placed(texture: pygfx.Texture) -> pygfx.TextureMap:
 
 def _with_mips(rgba: NDArray[Any]) -> pygfx.Texture:
     return pygfx.Texture(rgba, dim=2, colorspace="physical", generate_mipmaps=True)
-
-
-def _rgba(values: ImageArray, kind: type[np.floating[Any]]) -> NDArray[Any]:
-    full = np.ones((*values.shape[:2], 4), dtype=kind)
-    full[..., :3] = values
-    return full

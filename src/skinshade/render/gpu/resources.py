@@ -9,7 +9,7 @@ import wgpu
 
 from ..._core.arrays import ImageArray
 from ...gpu.luts import LutTextures
-from ...gpu.textures import buffer, loaded_texture, lut_texture, mip_texture
+from ...gpu.textures import buffer, filtered_texture, loaded_texture
 from ...params import FrameParams, LightParams
 from ..cpu.texture import Texture
 from ..prepared import PreparedScene
@@ -20,8 +20,6 @@ __all__ = ["ATTRIBUTES", "Resources", "luts_of"]
 
 Key = tuple[int | str, ...]
 
-ATTRIBUTES = 11
-"""Vectors of four a vertex, in the order of `COLUMNS`."""
 COLUMNS = {
     "position": 3,
     "normal": 3,
@@ -37,6 +35,8 @@ COLUMNS = {
     "unexplained": 3,
 }
 """Numbers of each; what the scene has none of stays 0."""
+ATTRIBUTES = -(-sum(COLUMNS.values()) // 4)
+"""Vectors of four a vertex, which hold them."""
 
 
 class Resources:
@@ -110,7 +110,7 @@ class Resources:
     @cached_property
     def nothing(self) -> wgpu.GPUTexture:
         """What stands where a picture needs no texture."""
-        return lut_texture(self.device, np.zeros((1, 1, 3), dtype=np.float32))
+        return filtered_texture(self.device, [np.zeros((1, 1, 3), dtype=np.float32)])
 
     @cached_property
     def no_layer(self) -> wgpu.GPUTexture:
@@ -129,7 +129,7 @@ class Resources:
         }
         textures = self.prepared.textures
         made = {
-            name: mip_texture(
+            name: filtered_texture(
                 self.device, _levels(textures[name]) if name in textures else [default]
             )
             for name, default in flat.items()
@@ -143,7 +143,7 @@ class Resources:
         environment = self.prepared.scene.environment
         if environment is None:
             return self.nothing
-        return mip_texture(self.device, [environment.preconvolved.atlas])
+        return filtered_texture(self.device, [environment.preconvolved.atlas])
 
     @cached_property
     def sky(self) -> wgpu.GPUTexture:
