@@ -200,19 +200,11 @@ class AbsentDevice:
             for name in ("Properties", "Statistics")
         }
         executables = ask["Properties"](self._device, vk.VkPipelineInfoKHR(pipeline=pipeline))
-        at = next(
-            at for at, each in enumerate(executables) if _text(each.name) == "Fragment Shader"
-        )
+        at = next(at for at, each in enumerate(executables) if each.name == "Fragment Shader")
         found = ask["Statistics"](
             self._device, vk.VkPipelineExecutableInfoKHR(pipeline=pipeline, executableIndex=at)
         )
-        return {_text(each.name): int(each.value.u64) for each in found}
-
-
-def _text(name: Any) -> str:
-    import vulkan as vk
-
-    return name if isinstance(name, str) else vk.ffi.string(name).decode()
+        return {each.name: int(each.value.u64) for each in found}
 
 
 def variants() -> list[dict[int, int]]:
