@@ -1,10 +1,10 @@
 # `make demo` sets everything up and draws a face; `make test` runs the tests.
 PYTHON ?= python3
 VENV := .venv
-BIN := $(VENV)/bin
+BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 OUT := out
 
-.PHONY: demo test check bench shaders clean
+.PHONY: demo test test-lowest check bench shaders wheel clean
 
 demo: $(VENV)/.ready
 	@mkdir -p $(OUT)
@@ -14,6 +14,10 @@ demo: $(VENV)/.ready
 
 test: $(VENV)/.tools
 	$(BIN)/python -m pytest -n auto
+
+# The tests with the lowest versions of all dependencies that pyproject.toml allows.
+test-lowest: $(VENV)/.tools
+	$(BIN)/python tools/lowest_versions.py $(VENV)-lowest
 
 check: $(VENV)/.tools
 	$(BIN)/ruff format --check .
@@ -27,13 +31,16 @@ bench: $(VENV)/.tools
 	$(BIN)/python benchmarks/gpu_cost.py
 	$(BIN)/python benchmarks/gpu_instructions.py
 
-# What the compiler makes of shaders/skin; a test proves that it is committed.
+# Generated files of src/skinshade/shading/generated and docs; a test proves that they are current.
 shaders: $(VENV)/.tools
-	$(BIN)/python -m skinshade.codegen
+	$(BIN)/python -m codegen
 
-# The Slang compiler comes in the wheel of its PyTorch binding, which would pull PyTorch.
+wheel: $(VENV)/.ready
+	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir dist .
+
+# Programs and drivers that only the tests and `make shaders` need.
 $(VENV)/.tools: $(VENV)/.ready $(wildcard tools/*.py)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps slangtorch==1.3.22
+	$(BIN)/python tools/shader_compiler.py
 	$(BIN)/python tools/software_driver.py
 	$(BIN)/python tools/language_tools.py
 	$(BIN)/python tools/gltf_validator_tool.py
@@ -48,4 +55,4 @@ $(VENV)/.ready: pyproject.toml
 	@touch $@
 
 clean:
-	rm -rf $(VENV) $(OUT)
+	rm -rf $(VENV) $(VENV)-lowest $(OUT) dist

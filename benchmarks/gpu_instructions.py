@@ -1,10 +1,11 @@
-"""What the skin pass costs on AMD's GPUs by their driver's own estimate: no hardware is needed.
+"""Count the cycles of the skin pass on AMD's GPUs by their driver's own estimate; no GPU is needed.
 
-Run by ``make bench``, or as ``python benchmarks/gpu_instructions.py``; prints Markdown. Mesa's driver
-compiles for a GPU that is not there, and counts the cycles for which a wave keeps a compute unit busy, as if
-every branch were taken and every fetch came at once: arithmetic, the same on every machine; neither bandwidth
-nor what neighbouring pixels skip. It is given the source with its hints to unroll, which WGSL has not: a
-driver that keeps a loop there does the same work in more instructions.
+Run by ``make bench``, or as ``python benchmarks/gpu_instructions.py``. It prints a Markdown table. Mesa's
+driver can compile for a GPU that is not installed. It estimates the cycles for which a wave keeps a compute
+unit busy, as if every branch were taken and no fetch had to wait. The estimate counts arithmetic alone:
+neither memory bandwidth nor branches that whole waves skip. It is the same on every machine. The driver
+compiles the Slang source, whose hints to unroll loops WGSL lacks: where a driver keeps such a loop, the same
+work takes more instructions.
 """
 
 from __future__ import annotations
@@ -14,52 +15,57 @@ import os
 import subprocess
 import sys
 from itertools import product
+from pathlib import Path
 from typing import Any
 
-from skinshade.codegen.compiler import assemble
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # the folder of `codegen`
+
+from codegen.compiler import assemble
+from skinshade._core.generated import generated_text
 from skinshade.gpu.bindings import bind_points, override_ids
-from skinshade.render.gpu.resources import ATTRIBUTES
-from skinshade.shaders import generated_text
+from skinshade.params.choices import MaterialMap, Shading, ShadowFilter, Tier, View
+from skinshade.params.vertex import VERTEX_VECTORS
 
 FAMILIES = {"RDNA 3": ("GFX1100", "NAVI31"), "RDNA 1": ("NAVI10",), "GCN 5": ("VEGA10",)}
-"""As Mesa calls one GPU of each, of old and since; a name that it does not know ends the process."""
+"""Mesa's names of one GPU of each family, older and newer; an unknown name ends the driver's process."""
 BASE = {
-    "SHADING": 2,
-    "TIER": 2,
-    "VIEW": 0,
+    "SHADING": Shading.TRANSFER.number,
+    "TIER": Tier.DIFFUSED_NORMALS.number,
+    "VIEW": View.PICTURE.number,
     "TAPS": 0,
     "LIGHTS": 1,
     "ENVIRONMENT": 1,
     "FETCHES": 3,
     "MULTISAMPLED": 0,
-    "MAPS": 15,
-    "LAMPS": 0,
+    "MAPS": sum(kind.bit for kind in MaterialMap),
+    "SPOT_LIGHTS": 0,
 }
-WAYS: dict[str, dict[str, int]] = {
-    "plain diffuse and specular": {"SHADING": 0},
-    "subsurface scattering, scalar": {"TIER": 0},
-    "subsurface scattering, tensor": {"TIER": 1},
+"""Constants of the pass that all variants share unless they set them."""
+VARIANTS: dict[str, dict[str, int]] = {
+    "plain diffuse and specular": {"SHADING": Shading.LAMBERT.number},
+    "subsurface scattering, scalar": {"TIER": Tier.SCALAR.number},
+    "subsurface scattering, tensor": {"TIER": Tier.TENSOR.number},
     "subsurface scattering, diffused normals": {},
     "the same, 2 normal fetches for 3": {"FETCHES": 2},
     "and deep scatter, 8 taps": {"TAPS": 8},
     "and deep scatter, 32 taps": {"TAPS": 32},
-    "the formulas of 2014, 8 taps": {"SHADING": 1, "TAPS": 8},
+    "the formulas of 2014, 8 taps": {"SHADING": Shading.CLASSIC.number, "TAPS": 8},
 }
-FILTERS = {"percentage-closer": 0, "variance": 1}
+"""Constants by label; the first variant is the baseline of the ratios."""
 STAGES = {"vertex_main": "vertex", "fragment_main": "fragment"}
 
 
 class AbsentDriverError(Exception):
-    """There is no driver that would compile."""
+    """No driver on this machine can compile for a GPU that is not installed."""
 
 
 class AbsentDevice:
-    """A device of Mesa's driver for a GPU that is not there: it compiles, and runs nothing.
+    """A device of Mesa's driver for a GPU that is not installed: it compiles, but cannot run anything.
 
     Parameters
     ----------
     family
-        Of the GPU, as Mesa calls it.
+        Mesa's name of the GPU.
     """
 
     def __init__(self, family: str) -> None:
@@ -67,46 +73,47 @@ class AbsentDevice:
         try:
             import vulkan as vk
         except (ImportError, OSError) as error:
-            raise AbsentDriverError(f"no Vulkan ({error})") from None
+            raise AbsentDriverError(f"Vulkan cannot be loaded ({error})") from None
         self._vk = vk
-        version = vk.VkApplicationInfo(apiVersion=vk.VK_MAKE_VERSION(1, 2, 0))
-        described = vk.VkInstanceCreateInfo(pApplicationInfo=version)
+        application = vk.VkApplicationInfo(apiVersion=vk.VK_MAKE_VERSION(1, 2, 0))
         try:
-            self._instance = vk.vkCreateInstance(described, None)
+            self._instance = vk.vkCreateInstance(
+                vk.VkInstanceCreateInfo(pApplicationInfo=application), None
+            )
         except vk.VkErrorIncompatibleDriver:
-            raise AbsentDriverError("no Vulkan driver is there") from None
-        for each in vk.vkEnumeratePhysicalDevices(self._instance):
-            properties = vk.vkGetPhysicalDeviceProperties(each)
+            raise AbsentDriverError("no Vulkan driver is installed") from None
+        for physical_device in vk.vkEnumeratePhysicalDevices(self._instance):
+            properties = vk.vkGetPhysicalDeviceProperties(physical_device)
             if "Null hardware" in properties.deviceName:
                 break
         else:
-            raise AbsentDriverError("Mesa's driver for AMD's GPUs is not there")
+            raise AbsentDriverError("Mesa's driver for AMD's GPUs is not installed")
         queue = vk.VkDeviceQueueCreateInfo(queueFamilyIndex=0, queueCount=1, pQueuePriorities=[1.0])
-        told = vk.VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR(
+        features = vk.VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR(
             pipelineExecutableInfo=True
         )
         self._device = vk.vkCreateDevice(
-            each,
+            physical_device,
             vk.VkDeviceCreateInfo(
-                pNext=told,
+                pNext=features,
                 pQueueCreateInfos=[queue],
                 ppEnabledExtensionNames=["VK_KHR_pipeline_executable_properties"],
             ),
             None,
         )
-        self._fixed = self._skin_pass()
+        self._shared = self._skin_pass()
 
     def _skin_pass(self) -> dict[str, Any]:
-        """What all pipelines of the skin pass share."""
+        """Return the state that all pipelines of the skin pass share."""
         vk, device = self._vk, self._device
-        code = assemble('#include "../passes/skin_pass.slang"', STAGES)
+        code = assemble('#include "skin_pass.slang"', STAGES)
         self._module = vk.vkCreateShaderModule(
             device, vk.VkShaderModuleCreateInfo(codeSize=len(code), pCode=code), None
         )
         bindings = [
             vk.VkDescriptorSetLayoutBinding(
                 binding=point.binding,
-                descriptorType=self._descriptor(point.space, point.kind),
+                descriptorType=self._descriptor_type(point.space, point.kind),
                 descriptorCount=1,
                 stageFlags=vk.VK_SHADER_STAGE_ALL,
             )
@@ -116,10 +123,10 @@ class AbsentDevice:
             device, vk.VkDescriptorSetLayoutCreateInfo(pBindings=bindings), None
         )
         formats = (vk.VK_FORMAT_R32G32B32A32_SFLOAT, vk.VK_FORMAT_D32_SFLOAT)
-        attachments = [vk.VkAttachmentDescription(format=each, samples=1) for each in formats]
+        attachments = [vk.VkAttachmentDescription(format=format_, samples=1) for format_ in formats]
         colour, depth = (
-            vk.VkAttachmentReference(attachment=at, layout=vk.VK_IMAGE_LAYOUT_GENERAL)
-            for at in (0, 1)
+            vk.VkAttachmentReference(attachment=index, layout=vk.VK_IMAGE_LAYOUT_GENERAL)
+            for index in (0, 1)
         )
         subpass = vk.VkSubpassDescription(
             pipelineBindPoint=vk.VK_PIPELINE_BIND_POINT_GRAPHICS,
@@ -128,12 +135,17 @@ class AbsentDevice:
         )
         attributes = [
             vk.VkVertexInputAttributeDescription(
-                location=at, binding=0, format=vk.VK_FORMAT_R32G32B32A32_SFLOAT, offset=16 * at
+                location=index,
+                binding=0,
+                format=vk.VK_FORMAT_R32G32B32A32_SFLOAT,
+                offset=16 * index,
             )
-            for at in range(ATTRIBUTES)
+            for index in range(VERTEX_VECTORS)
         ]
-        vertex = vk.VkVertexInputBindingDescription(binding=0, stride=16 * ATTRIBUTES, inputRate=0)
-        written = vk.VkPipelineColorBlendAttachmentState(colorWriteMask=15)
+        vertex = vk.VkVertexInputBindingDescription(
+            binding=0, stride=16 * VERTEX_VECTORS, inputRate=0
+        )
+        blend = vk.VkPipelineColorBlendAttachmentState(colorWriteMask=15)
         return {
             "layout": vk.vkCreatePipelineLayout(
                 device, vk.VkPipelineLayoutCreateInfo(pSetLayouts=[group]), None
@@ -155,107 +167,115 @@ class AbsentDevice:
             "pDepthStencilState": vk.VkPipelineDepthStencilStateCreateInfo(
                 depthTestEnable=True, depthCompareOp=vk.VK_COMPARE_OP_LESS_OR_EQUAL
             ),
-            "pColorBlendState": vk.VkPipelineColorBlendStateCreateInfo(pAttachments=[written]),
+            "pColorBlendState": vk.VkPipelineColorBlendStateCreateInfo(pAttachments=[blend]),
             "pDynamicState": vk.VkPipelineDynamicStateCreateInfo(
                 pDynamicStates=[vk.VK_DYNAMIC_STATE_VIEWPORT, vk.VK_DYNAMIC_STATE_SCISSOR]
             ),
         }
 
-    def _descriptor(self, space: str, kind: str) -> int:
+    def _descriptor_type(self, space: str, kind: str) -> int:
         vk = self._vk
+        if space == "uniform":
+            return vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
         if space:
-            uniform = space == "uniform"
-            return (
-                vk.VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-                if uniform
-                else vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-            )
+            return vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
         sampler = kind == "sampler"
         return vk.VK_DESCRIPTOR_TYPE_SAMPLER if sampler else vk.VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE
 
     def statistics(self, constants: dict[int, int]) -> dict[str, int]:
-        """Return the driver's statistics of the fragment stage, by their names."""
+        """Return the driver's statistics of the fragment stage, by name.
+
+        Parameters
+        ----------
+        constants
+            Values of specialization constants, by number.
+        """
         vk = self._vk
         data = vk.ffi.new("int32_t[]", list(constants.values()))
         entries = [
-            vk.VkSpecializationMapEntry(constantID=name, offset=4 * at, size=4)
-            for at, name in enumerate(constants)
+            vk.VkSpecializationMapEntry(constantID=number, offset=4 * index, size=4)
+            for index, number in enumerate(constants)
         ]
-        chosen = vk.VkSpecializationInfo(pMapEntries=entries, dataSize=4 * len(entries), pData=data)
+        specialization = vk.VkSpecializationInfo(
+            pMapEntries=entries, dataSize=4 * len(entries), pData=data
+        )
         stages = [
             vk.VkPipelineShaderStageCreateInfo(
                 stage=getattr(vk, f"VK_SHADER_STAGE_{stage.upper()}_BIT"),
                 module=self._module,
                 pName=entry,
-                pSpecializationInfo=chosen,
+                pSpecializationInfo=specialization,
             )
             for entry, stage in STAGES.items()
         ]
-        described = vk.VkGraphicsPipelineCreateInfo(
-            flags=vk.VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR, pStages=stages, **self._fixed
+        description = vk.VkGraphicsPipelineCreateInfo(
+            flags=vk.VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR, pStages=stages, **self._shared
         )
-        pipeline = vk.vkCreateGraphicsPipelines(self._device, None, 1, [described], None)[0]
-        ask = {
-            name: vk.vkGetDeviceProcAddr(self._device, f"vkGetPipelineExecutable{name}KHR")
+        pipeline = vk.vkCreateGraphicsPipelines(self._device, None, 1, [description], None)[0]
+        executables_of, statistics_of = (
+            vk.vkGetDeviceProcAddr(self._device, f"vkGetPipelineExecutable{name}KHR")
             for name in ("Properties", "Statistics")
-        }
-        executables = ask["Properties"](self._device, vk.VkPipelineInfoKHR(pipeline=pipeline))
-        at = next(at for at, each in enumerate(executables) if each.name == "Fragment Shader")
-        found = ask["Statistics"](
-            self._device, vk.VkPipelineExecutableInfoKHR(pipeline=pipeline, executableIndex=at)
         )
-        return {each.name: int(each.value.u64) for each in found}
+        executables = executables_of(self._device, vk.VkPipelineInfoKHR(pipeline=pipeline))
+        names = [executable.name for executable in executables]
+        fragment = vk.VkPipelineExecutableInfoKHR(
+            pipeline=pipeline, executableIndex=names.index("Fragment Shader")
+        )
+        statistics = statistics_of(self._device, fragment)
+        return {statistic.name: int(statistic.value.u64) for statistic in statistics}
 
 
-def variants() -> list[dict[int, int]]:
-    """Return the constants of every way with every filter, by their numbers."""
+def variant_constants() -> list[dict[int, int]]:
+    """Return the constants of every variant with every filter, by number."""
     ids = override_ids(generated_text("skin_pass.wgsl"))
-    return [
-        {int(ids[name]): value for name, value in {**BASE, **way, "SHADOW_FILTER": number}.items()}
-        for number in FILTERS.values()
-        for way in WAYS.values()
+    named = [
+        {**BASE, **changes, "SHADOW_FILTER": kind.number}
+        for kind, changes in product(ShadowFilter, VARIANTS.values())
     ]
+    return [{int(ids[name]): value for name, value in values.items()} for values in named]
 
 
-def counted(family: str) -> list[tuple[int, int]] | None:
-    """Return cycles and registers of `variants` from a process of its own; None, said why, if it fails."""
-    command = [sys.executable, __file__, family]
-    done = subprocess.run(command, capture_output=True, text=True)
+def count_in_process(family: str) -> list[tuple[int, int]] | None:
+    """Return cycles and registers of all variants, counted in a new process; None if it fails."""
+    done = subprocess.run([sys.executable, __file__, family], capture_output=True, text=True)
     if done.returncode == 0:
         return json.loads(done.stdout)
-    why = done.stderr.strip().splitlines() or [f"ended with {done.returncode}"]
-    print(f"{family}: {why[-1]}", file=sys.stderr)
+    lines = done.stderr.strip().splitlines() or [f"the process ended with {done.returncode}"]
+    print(f"{family}: {lines[-1]}", file=sys.stderr)
     return None
 
 
+def print_counts(family: str) -> None:
+    """Print cycles and registers of all variants on one GPU as JSON."""
+    device = AbsentDevice(family)
+    counts = [device.statistics(constants) for constants in variant_constants()]
+    print(json.dumps([(count["Inverse Throughput"], count["VGPRs"]) for count in counts]))
+
+
 def main() -> None:
-    """Print the table, or what one GPU gives."""
+    """Print the table, or the counts of the GPU that an argument names."""
     if len(sys.argv) > 1:
-        device = AbsentDevice(sys.argv[1])
-        told = [device.statistics(each) for each in variants()]
-        print(json.dumps([(each["Inverse Throughput"], each["VGPRs"]) for each in told]))
+        print_counts(sys.argv[1])
         return
-    columns = {
-        called: next(filter(None, map(counted, families)), None)
-        for called, families in FAMILIES.items()
-    }
-    there = {called: column for called, column in columns.items() if column is not None}
-    if not there:
-        print("No table of instructions")
+    columns = {}
+    for label, families in FAMILIES.items():
+        counts = next(filter(None, map(count_in_process, families)), None)
+        if counts is not None:
+            columns[label] = counts
+    if not columns:
+        print("Cycles are not counted: no driver can compile for a GPU that is not installed")
         return
-    print(
-        "\nCycles of a wave's arithmetic, by the driver that Mesa has for GPUs that are not here\n"
-    )
-    print(f"| wide filter | shading | {' | '.join(there)} | registers |")
-    print("|---|---|" + "---|" * (len(there) + 1))
-    for row, (label, name) in enumerate(product(FILTERS, WAYS)):
-        plain = row - row % len(WAYS)
+    print("\nCycles of a wave's arithmetic, by Mesa's driver for GPUs that are not installed\n")
+    print(f"| wide filter | shading | {' | '.join(columns)} | registers |")
+    print("|---|---|" + "---|" * (len(columns) + 1))
+    for row, (kind, name) in enumerate(product(ShadowFilter, VARIANTS)):
+        baseline = row - row % len(VARIANTS)
         cells = [
-            f"{column[row][0]} ({column[row][0] / column[plain][0]:.2f}×)"
-            for column in there.values()
+            f"{counts[row][0]} ({counts[row][0] / counts[baseline][0]:.2f}×)"
+            for counts in columns.values()
         ]
-        registers = next(iter(there.values()))[row][1]
-        print(f"| {label} | {name} | {' | '.join(cells)} | {registers} |")
+        registers = next(iter(columns.values()))[row][1]
+        print(f"| {kind} | {name} | {' | '.join(cells)} | {registers} |")
 
 
 if __name__ == "__main__":

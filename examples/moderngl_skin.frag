@@ -1,5 +1,5 @@
 #version 330
-// Your shader: SkinProgram puts skinshade's functions, blocks and tables after the line above.
+// Your shader: SkinProgram inserts skinshade's functions, blocks and tables after the line above.
 uniform vec3 eye_mm, to_light, light_radiance;
 uniform float uv_scale_mm;
 uniform sampler2D albedo_map, normal_map;
@@ -12,7 +12,7 @@ out vec4 colour;
 vec3 world_normal(vec3 n, float level)
 {
     vec3 t = normalize(tangent.xyz - n * dot(tangent.xyz, n)), b = cross(n, t) * sign(tangent.w);
-    return mat3(t, b, n) * textureLod(normal_map, uv, level).xyz; // not normalised: its length is contrast
+    return mat3(t, b, n) * textureLod(normal_map, uv, level).xyz; // not normalised: the length matters
 }
 
 void main()
@@ -30,10 +30,10 @@ void main()
 
     float gloss = skin_gloss_of_relief(skin_block.gloss, length(fetched[0]));
     vec3 gain = skin_energy_gain(scatter_block.albedo.xyz, scatter_block.rms_radius_mm.xyz, curvature);
-    vec2 bends = skin_directional_curvature(tensor, n, to_light);
+    vec2 curvatures = skin_directional_curvature(tensor, n, to_light);
     vec3 diffuse = skin_direct_tensor(
         ring_lut, scatter_block.ring_axes, transfer_lut, scatter_block.transfer_axes,
-        skin_blend_normals(fetched, weights), to_light, bends.x, bends.y, gain);
+        skin_blend_normals(fetched, weights), to_light, curvatures.x, curvatures.y, gain);
     vec2 albedo_size = vec2(textureSize(albedo_map, 0));
     vec3 albedo = textureLod(albedo_map, uv, skin_map_level(albedo_size, dFdx(uv), dFdy(uv))).rgb
         * skin_diffuse_share(dot(n, view), gloss, skin_block.reflectance);

@@ -1,6 +1,6 @@
-"""Skin in a moderngl renderer of your own, offscreen on EGL: OpenGL 3.3.
+"""Skin in your own moderngl renderer: OpenGL 3.3, offscreen on EGL, with the shader moderngl_skin.frag.
 
-Run as ``python examples/moderngl_skin.py FOLDER``; writes moderngl_skin.png. Its shader: moderngl_skin.frag.
+``python examples/moderngl_skin.py FOLDER`` writes moderngl_skin.png.
 """
 
 import sys
@@ -11,8 +11,6 @@ import numpy as np
 
 import skinshade as sk
 from skinshade.integrations.moderngl import SkinProgram
-from skinshade.scene.images import write_png
-from skinshade.shading.tonemap import filmic
 
 FRAGMENT = Path(__file__).with_suffix(".frag")
 VERTEX = """#version 330
@@ -38,13 +36,13 @@ INPUTS = ("position", "normal", "tangent", "uv", "xx_xy_xz", "yy_yz_zz", "curvat
 
 
 def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
-    """Return linear light and coverage (H, W, 4) of a scene's head under its first light."""
+    """Return linear light and coverage (H, W, 4) of a scene's body under its first light."""
     context = moderngl.create_context(standalone=True, backend="egl", require=330)
     skin = sk.Skin.of(scene.material.profile, scene.material.params)
-    ours = SkinProgram(
+    skin_program = SkinProgram(
         context, skin, vertex_shader=VERTEX, fragment_shader=FRAGMENT.read_text(encoding="utf-8")
     )
-    program, mesh = ours.program, scene.mesh
+    program, mesh = skin_program.program, scene.mesh
     matrix = scene.camera.view_projection(size[0] / size[1])
     matrix[2] = 2.0 * matrix[2] - matrix[3]  # OpenGL's depth is -1..1
     program["view_projection"].write(np.ascontiguousarray(matrix.T, dtype="f4").tobytes())
@@ -53,11 +51,9 @@ def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
     program["light_radiance"].value = tuple(scene.lights[0].irradiance / np.pi)
     program["uv_scale_mm"].value = sk.mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces)
     for unit, name in enumerate(("albedo", "normal")):
-        picture = np.ascontiguousarray(getattr(scene.material, name), dtype="f4")
-        texture = context.texture(
-            picture.shape[1::-1], 3, picture.tobytes(), dtype="f4", alignment=4
-        )
-        texture.build_mipmaps()  # plain averages, as blurred normals want them
+        image = np.ascontiguousarray(getattr(scene.material, name), dtype="f4")
+        texture = context.texture(image.shape[1::-1], 3, image.tobytes(), dtype="f4", alignment=4)
+        texture.build_mipmaps()  # averages, which the blurred normals need
         texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
         texture.use(unit)
         program[f"{name}_map"].value = unit
@@ -81,13 +77,13 @@ def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
     target.use()
     target.clear()
     context.enable(moderngl.DEPTH_TEST)
-    ours.use()
+    skin_program.use()
     body.render()
     data = np.frombuffer(target.read(components=4, dtype="f4"), dtype="f4")
     context.release()
-    return data.reshape(size[1], size[0], 4)[::-1]  # OpenGL counts rows from below
+    return data.reshape(size[1], size[0], 4)[::-1]  # the first row of OpenGL is the lowest
 
 
 if __name__ == "__main__":
-    picture = draw(sk.head_scene(*sk.builtin_head(), yaw_deg=28.0), (480, 480))
-    write_png(Path(sys.argv[1]) / "moderngl_skin.png", filmic(picture[..., :3].astype(float)))
+    image = draw(sk.head_scene(sk.builtin_head(), yaw_deg=28.0), (480, 480))
+    sk.save_image(Path(sys.argv[1]) / "moderngl_skin.png", image)

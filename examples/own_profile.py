@@ -1,4 +1,4 @@
-"""Any profile works everywhere: creature skin from a mean free path, beside human skin and marble."""
+"""Profiles of your own: creature skin from mean free paths, compared with human skin and marble."""
 
 import sys
 from pathlib import Path
@@ -19,7 +19,7 @@ for name, profile in (
 ):
     lut = sk.build_curvature_lut(profile, size=(256, 64))
     lut.save(folder / f"curvature-{name}.png")
-    # How much light a body of 8 mm radius keeps just past the terminator, per channel.
+    # Light of a body of 8 mm radius just past the terminator, per channel.
     past = lut.sample(np.array(-0.1), np.array(1.0 / 8.0))
     print(
         f"{name:<14} rms {np.round(profile.rms_radius_mm, 2)} mm, past the terminator {past.round(3)}"

@@ -1,6 +1,6 @@
-"""Skin in a wgpu renderer of your own: your shader (wgpu_skin.wgsl), your pipeline, skinshade's resources.
+"""Skin in your own wgpu renderer: your shader wgpu_skin.wgsl, your pipeline, skinshade's resources.
 
-Run as ``python examples/wgpu_skin.py FOLDER``; writes wgpu_skin.png.
+``python examples/wgpu_skin.py FOLDER`` writes wgpu_skin.png.
 """
 
 import sys
@@ -10,8 +10,6 @@ import numpy as np
 import wgpu
 
 import skinshade as sk
-from skinshade.scene.images import write_png
-from skinshade.shading.tonemap import filmic
 
 SHADER = Path(__file__).with_suffix(".wgsl")
 COLUMNS = {"position": 3, "normal": 3, "uv": 2, "tensor": 6, "diffused_curvature": 3}
@@ -20,7 +18,7 @@ TARGET = "rgba32float"
 
 
 def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
-    """Return linear light and coverage (H, W, 4) of a scene's head under its first light."""
+    """Return linear light and coverage (H, W, 4) of a scene's body under its first light."""
     device = wgpu.gpu.request_adapter_sync().request_device_sync(
         required_features=["float32-filterable"]
     )
@@ -52,7 +50,8 @@ def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
 
     pairs = enumerate(FORMATS.items())
     inputs = [
-        {"shader_location": i, "offset": at, "format": f"float32x{n}"} for i, (at, n) in pairs
+        {"shader_location": i, "offset": offset, "format": f"float32x{n}"}
+        for i, (offset, n) in pairs
     ]
     pipeline = device.create_render_pipeline(
         layout="auto",
@@ -65,7 +64,7 @@ def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
         },
     )
     own = ({"buffer": buffer(frame, "UNIFORM")}, albedo.create_view())
-    own = [{"binding": at, "resource": resource} for at, resource in enumerate(own)]
+    own = [{"binding": binding, "resource": resource} for binding, resource in enumerate(own)]
     encoder = device.create_command_encoder()
     colours = [{"view": target.create_view(), "load_op": "clear", "store_op": "store"}]
     depths = {
@@ -76,9 +75,9 @@ def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
     }
     work = encoder.begin_render_pass(color_attachments=colours, depth_stencil_attachment=depths)
     work.set_pipeline(pipeline)
-    for at, entries in enumerate((own, context.entries(code, group=1))):
-        layout = pipeline.get_bind_group_layout(at)
-        work.set_bind_group(at, device.create_bind_group(layout=layout, entries=entries))
+    for group, entries in enumerate((own, context.entries(code, group=1))):
+        layout = pipeline.get_bind_group_layout(group)
+        work.set_bind_group(group, device.create_bind_group(layout=layout, entries=entries))
     work.set_vertex_buffer(0, buffer(vertices, "VERTEX"))
     work.set_index_buffer(buffer(faces, "INDEX"), "uint32")
     work.draw_indexed(faces.size)
@@ -90,5 +89,5 @@ def draw(scene: sk.Scene, size: tuple[int, int]) -> np.ndarray:
 
 
 if __name__ == "__main__":
-    picture = draw(sk.head_scene(*sk.builtin_head(), yaw_deg=28.0), (480, 480))
-    write_png(Path(sys.argv[1]) / "wgpu_skin.png", filmic(picture[..., :3].astype(float)))
+    image = draw(sk.head_scene(sk.builtin_head(), yaw_deg=28.0), (480, 480))
+    sk.save_image(Path(sys.argv[1]) / "wgpu_skin.png", image)

@@ -1,9 +1,9 @@
-// Your shader: skinshade.gpu.wgsl_library() stands before it.
+// Your shader; the text of skinshade.gpu.wgsl_library() precedes it.
 struct Frame { clip : mat4x4<f32>, eye : vec4<f32>, to_light : vec4<f32>, radiance : vec4<f32> };
 @group(0) @binding(0) var<uniform> frame : Frame;
 @group(0) @binding(1) var albedo_map : texture_2d<f32>;
-@group(1) @binding(0) var<uniform> skin_block : SkinBlock;       // these are skinshade's: declare what
-@group(1) @binding(1) var<uniform> scatter_block : ScatterBlock; // you use, wherever you like
+@group(1) @binding(0) var<uniform> skin_block : SkinBlock;       // skinshade's blocks and tables: declare those
+@group(1) @binding(1) var<uniform> scatter_block : ScatterBlock; // that you use, in any group
 @group(1) @binding(2) var ring_lut : texture_2d<f32>;
 @group(1) @binding(3) var transfer_lut : texture_2d<f32>;
 @group(1) @binding(4) var lut_sampler : sampler;
@@ -33,9 +33,9 @@ struct Fragment { @builtin(position) clip : vec4<f32>, @location(0) position : v
     let tensor = mat3x3<f32>(a, vec3<f32>(a.y, b.x, b.y), vec3<f32>(a.z, b.y, b.z));
     let s = scatter_block;
     let gain = skin_energy_gain(s.albedo.xyz, s.rms_radius_mm.xyz, v.curvature);
-    let bends = skin_directional_curvature(tensor, n, light);
+    let curvatures = skin_directional_curvature(tensor, n, light);
     let diffuse = skin_direct_tensor(ring_lut, lut_sampler, s.ring_axes, transfer_lut, lut_sampler,
-        s.transfer_axes, mat3x3<f32>(n, n, n), light, bends.x, bends.y, gain);
+        s.transfer_axes, mat3x3<f32>(n, n, n), light, curvatures.x, curvatures.y, gain);
     let gloss = skin_block.gloss;
     let albedo = textureSampleLevel(albedo_map, lut_sampler, v.uv, 0.0).rgb
         * skin_diffuse_share(dot(n, view), gloss, skin_block.reflectance);

@@ -1,4 +1,4 @@
-"""What Khronos' glTF validator says of files: errors and warnings, by code and place."""
+"""Errors and warnings of Khronos' glTF validator, by code."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from pathlib import Path
 from gpu_device import absent, tool_or_skip
 
 MODULE = Path(sys.prefix, "lib", "gltf-validator", "node_modules", "gltf-validator")
-"""Where tools/gltf_validator_tool.py puts it."""
-SEVERE = {0: "error", 1: "warning"}
+"""Folder into which tools/gltf_validator_tool.py installs the validator."""
+SEVERITIES = {0: "error", 1: "warning"}
 
 
-def complaints(*files: Path) -> list[Counter[str]]:
-    """Return how often each error and warning is told of each file; hints do not count."""
+def validator_messages(*files: Path) -> list[Counter[str]]:
+    """Return the number of errors and warnings of each file, by code; hints do not count."""
     node = tool_or_skip("node")
     if not MODULE.is_dir():
         absent("Khronos' glTF validator is not installed; see tools/gltf_validator_tool.py")
     script = Path(__file__).with_suffix(".js")
-    ended = subprocess.run(
+    process = subprocess.run(
         [node, str(script), str(MODULE)],
         input=json.dumps([str(file) for file in files]),
         capture_output=True,
@@ -30,22 +30,22 @@ def complaints(*files: Path) -> list[Counter[str]]:
         timeout=120,
         check=False,
     )
-    assert ended.returncode == 0, ended.stderr
-    return [_severe(report) for report in json.loads(ended.stdout)]
+    assert process.returncode == 0, process.stderr
+    return [_severe(report) for report in json.loads(process.stdout)]
 
 
 def _severe(report: dict[str, object]) -> Counter[str]:
     if "failure" in report:
         return Counter([f"error: {report['failure']}"])
     return Counter(
-        f"{SEVERE[each['severity']]}: {each['code']}"
-        for each in report["issues"]["messages"]
-        if each["severity"] in SEVERE
+        f"{SEVERITIES[message['severity']]}: {message['code']}"
+        for message in report["issues"]["messages"]
+        if message["severity"] in SEVERITIES
     )
 
 
 def assert_valid(*files: Path) -> None:
-    """Every file is without an error and without a warning."""
-    told = complaints(*files)
-    found = {file.name: dict(each) for file, each in zip(files, told, strict=True) if each}
-    assert not found, str(found)
+    """Assert that no file has an error or a warning."""
+    counts = zip(files, validator_messages(*files), strict=True)
+    faults = {file.name: dict(messages) for file, messages in counts if messages}
+    assert not faults, str(faults)

@@ -1,4 +1,4 @@
-"""What a test that needs a GPU, or a tool that drives one, does where there is none."""
+"""Access to a GPU and to external tools; tests that need a missing one are skipped, or fail."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ import pytest
 
 
 def absent(message) -> NoReturn:
-    """Skip, or fail where `SKINSHADE_REQUIRE_GPU` says that everything is there."""
+    """Skip the test, or fail it if the variable `SKINSHADE_REQUIRE_GPU` is 1."""
     if os.environ.get("SKINSHADE_REQUIRE_GPU") == "1":
         pytest.fail(message)
     pytest.skip(message)
 
 
 def adapter_or_skip():
-    """Return the best adapter, hardware or software; skip, or fail where one is required."""
+    """Return the best adapter, hardware or software; call `absent` if there is none."""
     from skinshade.gpu.device import adapters
 
-    found = adapters()
-    if not found:
-        absent("no GPU adapter, not even a software one; see tools/software_driver.py")
-    return found[0]
+    usable = adapters()
+    if not usable:
+        absent("no GPU adapter, hardware or software, was found; see tools/software_driver.py")
+    return usable[0]
 
 
 def tool_or_skip(name):
-    """Return a program's path; skip, or fail where it is required."""
-    found = shutil.which(name)
-    if found is None:
-        absent(f"{name} is not installed; see tools")
-    return found
+    """Return the path of a program; call `absent` if it is not installed."""
+    path = shutil.which(name)
+    if path is None:
+        absent(f"{name} is not installed; see the scripts in tools")
+    return path

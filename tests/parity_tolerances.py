@@ -1,4 +1,4 @@
-"""How far a shader in float32 may be from its twin in float64: absolute plus relative, with the reason."""
+"""Allowed differences between shaders in float32 and their twins in float64, with reasons."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ class Parity:
 
 FLOAT32 = Parity(2e-6, 2e-6, "some twenty roundings of 6e-8")
 BUMP = Parity(
-    8e-6, 2e-6, "a polynomial stands for the bump, 3.3e-6 of its slope, and its terms cancel: 7e-6"
+    8e-6,
+    2e-6,
+    "a polynomial approximates the bump within 3.3e-6 of its slope; its terms cancel: 7e-6",
 )
 TABLES = Parity(5e-5, 2e-6, "BUMP, and filter weights of 8 bits between columns 1/256 apart")
 
@@ -25,7 +27,7 @@ PARITY = {
     "skin_direct_scalar": TABLES,
     "skin_direct_tensor": TABLES,
     "skin_direct_diffused_normals": TABLES,
-    "skin_unexplained_length": Parity(4e-5, 2e-6, "T(k) from a table of 2048 by weights of 8 bits"),
+    "skin_relief_length": Parity(4e-5, 2e-6, "T(k) from a table of 2048 by weights of 8 bits"),
     "skin_diffused_shadow": Parity(
         1e-4, 2e-6, "filter weights of 8 bits between columns 1/512 apart"
     ),
@@ -36,27 +38,41 @@ PARITY = {
         2e-6, 1e-5, "a quotient of small vectors where the light is nearly overhead"
     ),
     "skin_sharpened_shadow": Parity(
-        2e-4, 0.0, "asin at ±1 knows half the bits, times a sharpening of 12"
+        2e-4, 0.0, "asin at ±1 keeps half the bits, times a sharpening of 12"
     ),
     "skin_thickness": Parity(
         2e-3,
         2e-6,
-        "a depth of 2000 mm is known to 1e-3 near the far plane",
+        "a depth of 2000 mm is exact to 1e-3 near the far plane",
     ),
     "skin_linear_depth": Parity(0.0, 2e-6, "up to 2000 mm; depth to one rounding of its far plane"),
     "skin_equirectangular_uv": Parity(
-        1e-6, 0.0, "a polynomial stands for the arc tangent: 4e-7 of a turn"
+        1e-6, 0.0, "a polynomial approximates the arc tangent within 4e-7 of a turn"
     ),
     "skin_reflected_radiance": Parity(
-        4e-3, 4e-3, "the place in the map, and filter weights of 8 bits between its texels"
+        4e-3, 4e-3, "the position in the map, and filter weights of 8 bits between its texels"
     ),
     "skin_variance_shadow": Parity(
         2e-5, 2e-4, "a difference of squares of up to 150 mm keeps 1e-3 mm²"
     ),
+    "skin_light_coordinates": Parity(
+        2e-4, 4e-6, "depths of up to 1300 mm, rounded to 1e-4; the same in UV of up to 200"
+    ),
+    "skin_shadow_receiver": Parity(
+        2e-4,
+        0.0,
+        "positions of up to 300 mm; a direction along the surface from nearly equal vectors",
+    ),
+    "skin_shadow_slope": Parity(
+        2e-4, 2e-5, "a quotient that is up to 8, of a small sum of nearly opposite vectors"
+    ),
+    "skin_shadow_filter": Parity(
+        1e-3, 0.0, "positions in the map of 128 texels, rounded to 1e-5 of a texel, times the slope"
+    ),
     "skin_inward_offset": Parity(4e-5, 0.0, "positions of up to 300 mm, rounded to 3e-5"),
     "skin_specular_power": Parity(0.0, 4e-6, "exp2 of up to 13"),
     "skin_specular": Parity(
-        4e-5, 1e-3, "n_dot_h to the power of 8192 multiplies its rounding of 6e-8 by as much"
+        4e-5, 1e-3, "the power of up to 8192 multiplies the rounding of n_dot_h, 6e-8"
     ),
     "skin_gloss_of_relief": Parity(4e-6, 0.0, "log2 near 1"),
     "skin_gloss_from_roughness": Parity(4e-6, 0.0, "log2 near 1"),
@@ -64,4 +80,4 @@ PARITY = {
         2e-5, 0.0, "the root of a difference of nearly equal numbers, near a base of 0"
     ),
 }
-"""Of functions that need more than `FLOAT32`."""
+"""Allowances of the functions that need more than `FLOAT32`."""

@@ -1,4 +1,4 @@
-"""Shapes whose normals and curvatures are known, as meshes of several kinds.
+"""Meshes of shapes whose normals and curvatures are known.
 
 Curvature is positive where convex, and faces are counter-clockwise seen from outside.
 """
@@ -21,7 +21,7 @@ class Shape:
     Attributes
     ----------
     positions, normals
-        (V, 3) on the surface, and its unit normals there.
+        (V, 3) points on the surface, and their unit normals.
     faces
         (F, 3).
     k_max, k_min
@@ -47,7 +47,7 @@ def relative_rms(value: np.ndarray, truth: np.ndarray) -> float:
 
 
 def outward(positions: np.ndarray, faces: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    """Return the faces, turned where they disagree with the normals."""
+    """Return the faces; those that disagree with the normals are reversed."""
     p = positions[faces]
     face_normals = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
     inward = np.einsum("ij,ij->i", face_normals, normals[faces].sum(axis=1)) < 0.0
@@ -56,7 +56,7 @@ def outward(positions: np.ndarray, faces: np.ndarray, normals: np.ndarray) -> np
     return turned
 
 
-# -- the unit sphere, three ways -------------------------------------------------------------------
+# -- the unit sphere, by three triangulations ------------------------------------------------------
 
 
 @cache
@@ -67,7 +67,7 @@ def unit_icosphere(level: int) -> tuple[np.ndarray, np.ndarray]:
 
 @cache
 def unit_regular(around: int) -> tuple[np.ndarray, np.ndarray]:
-    """A grid of longitude and latitude, with poles."""
+    """Return a grid of longitude and latitude with poles."""
     phi = np.arange(around) * 2.0 * np.pi / around
     theta = (np.arange(around // 2) + 0.5) * np.pi / (around // 2)
     t, f = np.meshgrid(theta, phi, indexing="ij")
@@ -92,7 +92,7 @@ UNIT_SPHERES: dict[str, Callable[[int], tuple[np.ndarray, np.ndarray]]] = {
 
 @cache
 def ellipsoid(kind: str, size: int, axes: tuple[float, float, float]) -> Shape:
-    """An ellipsoid from the unit sphere of a kind and size; equal axes give a sphere."""
+    """Return an ellipsoid from a unit sphere: key of `UNIT_SPHERES`, and its size."""
     u, faces = UNIT_SPHERES[kind](size)
     a, b, c = axes
     p = u * axes
@@ -122,7 +122,7 @@ def torus_points(angles: np.ndarray, R: float, r: float) -> tuple[np.ndarray, ..
 
 @cache
 def torus(kind: str, size: int, R: float = 3.0, r: float = 1.0) -> Shape:
-    """A torus, ``regular`` with `size` vertices around and a third across, or `size` ``random``."""
+    """Return a torus: ``regular`` with `size` vertices around, or `size` ``random`` vertices."""
     angles, faces = _torus_grid(size) if kind == "regular" else _torus_random(size, R / r)
     p, n, k_max, k_min = torus_points(angles, R, r)
     return Shape(p, outward(p, faces, n), n, k_max, k_min)
@@ -138,7 +138,7 @@ def _torus_grid(around: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _torus_random(count: int, stretch: float) -> tuple[np.ndarray, np.ndarray]:
-    """Delaunay in the square of both angles, made periodic by a margin of copies."""
+    """Return a Delaunay triangulation of the square of both angles, periodic by copied margins."""
     full = 2.0 * np.pi
     angles = np.random.default_rng(7).random((count, 2)) * full
     points, index = [angles], [np.arange(count)]
@@ -160,7 +160,7 @@ def _torus_random(count: int, stretch: float) -> tuple[np.ndarray, np.ndarray]:
 
 @cache
 def cylinder(radius: float, height: float, around: int, along: int) -> Shape:
-    """A tube along z, open at both ends, `along` rows of faces high."""
+    """Return a tube along z, open at both ends, with `along` rows of faces."""
     phi = np.arange(around) * 2.0 * np.pi / around
     z = np.linspace(0.0, height, along + 1)
     h, f = np.meshgrid(z, phi, indexing="ij")
@@ -177,7 +177,7 @@ def cylinder(radius: float, height: float, around: int, along: int) -> Shape:
 
 @cache
 def square(side: float, cells: int) -> Shape:
-    """A flat square in the plane z = 0, seen from +z."""
+    """Return a flat square in the plane z = 0 with normals along +z."""
     x = np.linspace(0.0, side, cells + 1)
     gx, gy = np.meshgrid(x, x, indexing="ij")
     p = np.stack([gx, gy, 0.0 * gx], axis=-1).reshape(-1, 3)
@@ -191,12 +191,12 @@ def square(side: float, cells: int) -> Shape:
 
 
 def split_seam(shape: Shape) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Give every face with its centre at y < 0 vertices of its own, as a UV seam does.
+    """Split the vertices at y = 0, as a UV seam does: faces at y < 0 get separate vertices.
 
     Returns
     -------
     positions, faces, normals, original
-        `original` (V',) is the vertex of the shape that each one was.
+        `original` (V',) holds the indices of the vertices in the shape.
     """
     count = len(shape.positions)
     behind = shape.positions[shape.faces].mean(axis=1)[:, 1] < 0.0

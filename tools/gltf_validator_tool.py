@@ -1,7 +1,7 @@
-"""Fetch Khronos' glTF validator from npm, for the tests alone.
+"""Install Khronos' glTF validator from npm into this environment, for the tests alone.
 
-Run as ``python tools/gltf_validator_tool.py``. It goes into this environment; where npm is missing that
-is said, and the tests that need it are skipped.
+Run as ``python tools/gltf_validator_tool.py``. Without npm it prints why the tests that use the validator
+will be skipped.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from pathlib import Path
 
 VERSION = "2.0.0-dev.3.10"
 FOLDER = Path(sys.prefix, "lib", "gltf-validator")
-"""Where tests/gltf_validator.py looks for it."""
+"""Folder in which tests/gltf_validator.py looks for the validator."""
 
 
 def installed_version() -> str:
-    """Return the version that is there, or nothing."""
-    described = FOLDER / "node_modules" / "gltf-validator" / "package.json"
+    """Return the installed version, or an empty text."""
+    package = FOLDER / "node_modules" / "gltf-validator" / "package.json"
     try:
-        return str(json.loads(described.read_text(encoding="utf-8"))["version"])
+        return str(json.loads(package.read_text(encoding="utf-8"))["version"])
     except (OSError, ValueError, KeyError):
         return ""
 
 
-def fetch() -> str:
-    """Put the validator into `FOLDER`; return why not, or nothing."""
+def install() -> str:
+    """Install the validator into `FOLDER`; return the reason of a failure, or an empty text."""
     if installed_version() == VERSION:
         return ""
     npm = shutil.which("npm")
@@ -42,11 +42,11 @@ def fetch() -> str:
 
 
 def main() -> None:
-    """Fetch where possible, and tell."""
-    why = fetch()
-    if why:
+    """Install the validator, or print why it is missing."""
+    reason = install()
+    if reason:
         print(
-            f"Missing, so the tests that need it will be skipped: Khronos' glTF validator ({why})"
+            f"Khronos' glTF validator is missing ({reason}); the tests that use it will be skipped"
         )
 
 

@@ -1,7 +1,7 @@
-"""Make sure that a Vulkan driver and the GLSL reference compiler are there.
+"""Install a Vulkan driver and the GLSL reference compiler where they are missing, for the tests alone.
 
-Run as ``python tools/software_driver.py``. Where one is missing, and the user is root and has apt-get,
-installs it (the driver is Mesa's software rasteriser); else says how.
+Run as ``python tools/software_driver.py``. It installs Debian packages if the user is root and apt-get is
+available, otherwise it prints what to install. The driver is Mesa's software rasterizer.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ import subprocess
 import sys
 
 DRIVER, COMPILER = "mesa-vulkan-drivers", "glslang-tools"
-HOW = f"""No Vulkan driver was found, so tests on the GPU will be skipped.
-Install your GPU's driver, or Mesa's software rasteriser: {DRIVER} on Debian, Ubuntu and Fedora."""
+HINT = f"""No Vulkan driver was found, so the tests on the GPU will be skipped.
+Install your GPU's driver, or Mesa's software rasterizer: {DRIVER} on Debian, Ubuntu and Fedora."""
 
 
 def succeeds(script: str) -> bool:
-    """Return whether a new process runs a script to its end: this one may have looked before."""
+    """Return whether a script runs to its end in a new process, which looks for drivers afresh."""
     return subprocess.run([sys.executable, "-c", script], capture_output=True).returncode == 0
 
 
-def driver_is_there() -> bool:
-    """Return whether a Vulkan adapter is found."""
+def driver_is_installed() -> bool:
+    """Return whether wgpu finds a Vulkan adapter."""
     return succeeds(
         "import wgpu; assert any(a.info['backend_type'] == 'Vulkan'"
         " for a in wgpu.gpu.enumerate_adapters_sync())"
@@ -30,24 +30,25 @@ def driver_is_there() -> bool:
 
 
 def install(packages: list[str]) -> None:
-    """Install Debian's packages where the user may; one that fails leaves the others."""
+    """Install Debian packages one by one, if the user may; a failure does not stop the others."""
     root = hasattr(os, "geteuid") and os.geteuid() == 0
     if not (packages and root and shutil.which("apt-get")):
         return
     print(f"Installing {' and '.join(packages)}", flush=True)
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    one_by_one = (["install", "--yes", "--no-install-recommends", each] for each in packages)
-    for command in (["update"], *one_by_one):
+    commands = [["update"]]
+    commands += [["install", "--yes", "--no-install-recommends", name] for name in packages]
+    for command in commands:
         subprocess.run(["apt-get", "-qq", *command], env=quiet, check=False)
 
 
 def main() -> None:
-    """Look, install where possible, and tell."""
-    missing = [] if driver_is_there() else [DRIVER]
+    """Install what is missing, and print a hint if there is still no driver."""
+    missing = [] if driver_is_installed() else [DRIVER]
     missing += [COMPILER] if shutil.which("glslangValidator") is None else []
     install(missing)
-    if not driver_is_there():
-        print(HOW)
+    if not driver_is_installed():
+        print(HINT)
 
 
 if __name__ == "__main__":

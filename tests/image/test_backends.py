@@ -1,4 +1,4 @@
-"""Whole pictures of the GPU beside the CPU's: every way to shade, every view, head and scan."""
+"""Whole pictures of the GPU compared with the CPU's: every setting, every view, head and scan."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ import pytest
 
 import shading_tolerances as tol
 from gpu_device import adapter_or_skip
-from skinshade.render import DEBUG_VIEWS, RenderSettings
-from skinshade.render.renderer import SHADINGS, TIERS, display, open_renderer
+from skinshade.heads import builtin_head, head_scene, load_head
+from skinshade.params.choices import Shading, Tier, View
+from skinshade.rendering import RenderSettings, open_renderer
+from skinshade.rendering.tone import display_values
 from skinshade.scene import DirectionalLight, Environment, SpotLight
-from skinshade.scene.heads import builtin_head, head_scene, model
 
 SIZE = (240, 200)
 
 
 @pytest.fixture(scope="module")
 def head():
-    """The built-in head between a lamp in front and a spot behind, as both backends hold it."""
+    """The built-in head between a light in front and a spot light behind, on both backends."""
     adapter_or_skip()
-    mesh, skin = builtin_head()
-    scene = head_scene(mesh, skin, yaw_deg=28.0, pitch_deg=4.0)
+    scene = head_scene(builtin_head(), yaw_deg=28.0, pitch_deg=4.0)
     centre = scene.mesh.positions_mm.mean(axis=0)
     behind = centre + np.array([250.0, 60.0, -350.0])
     spot = SpotLight(behind, centre, (9.0, 8.0, 7.0), 35.0)
-    lamps = (DirectionalLight.from_angles(-38.0, 26.0, 0.75), spot)
-    return both(scene, lights=lamps)
+    lights = (DirectionalLight.from_angles(-38.0, 26.0, 0.75), spot)
+    return both(scene, lights=lights)
 
 
 @pytest.fixture(scope="module")
 def scan(data_dir):
     adapter_or_skip()
     folder = data_dir / "lps"
-    mesh, skin = model(
+    scanned = load_head(
         folder / "LeePerrySmith.glb",
         unit_mm=50.35,
         albedo=folder / "color.jpg",
@@ -45,42 +45,35 @@ def scan(data_dir):
         flip_v=True,
     )
     sky = Environment.load(data_dir / "env" / "quarry_01_1k.hdr")
-    return both(head_scene(mesh, skin, yaw_deg=28.0), environment=sky)
+    return both(head_scene(scanned, yaw_deg=28.0), environment=sky)
 
 
-def both(scene, prepared=None, **changes):
+def both(scene, **changes):
     scene = replace(scene, **changes)
-    gpu, cpu = open_renderer(scene, "gpu"), open_renderer(scene, "cpu")
-    # What depends on neither backend nor camera need not be made twice.
-    made = (prepared or cpu).prepared
-    made.prepare()
-    for name in ("sky", "geometry", "textures", "skin"):
-        for each in (gpu, cpu):
-            each.prepared.__dict__[name] = getattr(made, name)
-    return scene, gpu, cpu
+    return scene, open_renderer(scene, "gpu"), open_renderer(scene, "cpu")
 
 
 def assert_equal_pictures(pair, samples=1, **settings):
     scene, gpu, cpu = pair
-    way = RenderSettings(**settings)
-    shown = [
-        display(each.draw(scene.camera, SIZE, samples, way), scene, way) * 255.0
-        for each in (gpu, cpu)
+    chosen = RenderSettings(**settings)
+    pictures = [
+        display_values(renderer.draw(scene.camera, SIZE, samples, chosen), scene, chosen) * 255.0
+        for renderer in (gpu, cpu)
     ]
-    apart = np.abs(shown[0] - shown[1])
-    assert shown[1].std() > 1.0, "the picture shows something"
-    assert apart.mean() <= tol.BACKENDS_MEAN.value
-    assert np.percentile(apart.max(axis=2), 99.9) <= tol.BACKENDS_TAIL.value
+    difference = np.abs(pictures[0] - pictures[1])
+    assert pictures[1].std() > 1.0, "the picture is not empty"
+    assert difference.mean() <= tol.BACKENDS_MEAN.value
+    assert np.percentile(difference.max(axis=2), 99.9) <= tol.BACKENDS_TAIL.value
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shading", SHADINGS)
+@pytest.mark.parametrize("shading", list(Shading))
 def test_the_head_is_the_same_picture_in_every_shading(head, shading):
     assert_equal_pictures(head, shading=shading)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("tier", TIERS)
+@pytest.mark.parametrize("tier", list(Tier))
 def test_the_head_is_the_same_picture_in_every_tier_of_geometry(head, tier):
     assert_equal_pictures(head, tier=tier, deep_scatter_taps=32)
 
@@ -97,7 +90,7 @@ def test_the_head_is_the_same_picture_with_every_other_setting(head, way):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("view", DEBUG_VIEWS)
+@pytest.mark.parametrize("view", list(View)[1:])
 def test_the_head_is_the_same_picture_in_every_debug_view(head, view):
     assert_equal_pictures(head, debug_view=view)
 
@@ -107,11 +100,11 @@ def test_the_head_is_the_same_picture_in_every_debug_view(head, view):
     "way", [{"debug_view": "thickness"}, {"shadow_filter": "variance"}], ids=str
 )
 def test_a_cone_that_the_head_reaches_beyond_is_the_same(head, way):
-    """Filters and taps reach past the rim of the lamp's map."""
-    scene, _, cpu = head
+    """Filters and taps extend past the edge of the light's map."""
+    scene, *_ = head
     centre = scene.mesh.positions_mm.mean(axis=0)
     behind = centre + np.array([250.0, 60.0, -350.0])
-    pair = both(scene, prepared=cpu, lights=(SpotLight(behind, centre, (9.0, 8.0, 7.0), 7.0),))
+    pair = both(scene, lights=(SpotLight(behind, centre, (9.0, 8.0, 7.0), 7.0),))
     assert_equal_pictures(pair, **way)
 
 
@@ -122,21 +115,24 @@ def test_supersampling_and_seed_take_the_same_samples(head):
 
 @pytest.mark.slow
 def test_the_surroundings_behind_the_body_are_the_same(head):
-    scene, _, cpu = head
-    pair = both(scene, prepared=cpu, environment=replace(scene.environment, visible=True))
+    scene, *_ = head
+    pair = both(scene, environment=replace(scene.environment, visible=True))
     assert_equal_pictures(pair, samples=2)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("view", [None, "normal"])
+@pytest.mark.parametrize("view", ["picture", "normal"])
 @pytest.mark.parametrize("tone", ["filmic", "srgb"])
 def test_what_the_device_shows_is_its_light_through_the_tone_curve(head, tone, view):
-    scene, _, cpu = head
-    _, gpu, _ = both(scene, prepared=cpu, tone=tone, exposure=0.7)
-    way = RenderSettings(debug_view=view)
-    linear = gpu.draw(scene.camera, SIZE, 1, way)
-    shown = gpu.draw_shown(scene.camera, SIZE, 1, way).astype(np.float64)
-    assert np.abs(shown - display(linear, gpu.scene, way) * 255.0).max() <= tol.SHOWN.value
+    scene, *_ = head
+    gpu = open_renderer(replace(scene, tone=tone, exposure=0.7), "gpu")
+    settings = RenderSettings(debug_view=view)
+    linear = gpu.draw(scene.camera, SIZE, 1, settings)
+    shown = gpu.draw_display(scene.camera, SIZE, 1, settings).astype(np.float64)
+    assert (
+        np.abs(shown - display_values(linear, gpu.scene, settings) * 255.0).max()
+        <= tol.DISPLAY_BYTES.value
+    )
 
 
 @pytest.mark.slow
@@ -147,14 +143,15 @@ def test_multisampling_smooths_edges_and_shades_like_samples_do(head):
     fast, slow = (gpu.draw(scene.camera, SIZE, 4, way) for way in (many, RenderSettings()))
     assert set(np.unique(fast[..., 3])) == {0.0, 0.25, 0.5, 0.75, 1.0}
     assert np.abs(fast[..., 3] - slow[..., 3]).max() <= 0.75
-    apart = np.abs(display(fast, scene, many) - display(slow, scene, many)) * 255.0
-    assert apart.mean() <= tol.MULTISAMPLED_MEAN.value
+    shown = [display_values(image, scene, many) for image in (fast, slow)]
+    difference = np.abs(shown[0] - shown[1]) * 255.0
+    assert difference.mean() <= tol.MULTISAMPLED_MEAN.value
     inside = (fast[..., 3] == 1.0) & (slow[..., 3] == 1.0)
-    assert np.median(apart.max(axis=2)[inside]) <= tol.MULTISAMPLED_MEDIAN.value
+    assert np.median(difference.max(axis=2)[inside]) <= tol.MULTISAMPLED_MEDIAN.value
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shading", SHADINGS)
+@pytest.mark.parametrize("shading", list(Shading))
 def test_the_scan_is_the_same_picture_in_every_shading(scan, shading):
     assert_equal_pictures(scan, shading=shading)
 
@@ -171,7 +168,7 @@ def test_after_the_first_frame_nothing_is_made_again(head, monkeypatch):
     ways = (RenderSettings(), RenderSettings(antialiasing="multisampling"))
     for way in ways:
         gpu.draw(scene.camera, SIZE, 2, way)
-        gpu.draw_shown(scene.camera, SIZE, 2, way)
+        gpu.draw_display(scene.camera, SIZE, 2, way)
     made = []
     for name in (
         "create_bind_group",
@@ -192,7 +189,7 @@ def test_after_the_first_frame_nothing_is_made_again(head, monkeypatch):
     for turn in (10.0, 20.0, 30.0):
         for way in ways:
             gpu.draw(scene.camera.orbited(turn), SIZE, 2, way)
-            gpu.draw_shown(scene.camera.orbited(turn), SIZE, 2, way)
+            gpu.draw_display(scene.camera.orbited(turn), SIZE, 2, way)
     assert made == []
 
 
@@ -209,7 +206,7 @@ def test_a_turntable_takes_no_more_memory_from_frame_to_frame(head):
     scene, gpu, _ = head
     held = []
     for frame in range(24):
-        gpu.draw_shown(scene.camera.orbited(15.0 * frame), SIZE, 2, RenderSettings())
+        gpu.draw_display(scene.camera.orbited(15.0 * frame), SIZE, 2, RenderSettings())
         held.append(memory_mib())
     frame_mib = SIZE[0] * SIZE[1] * 16 / 2**20
     assert max(held[12:]) - min(held[8:12]) <= 2.0 * frame_mib

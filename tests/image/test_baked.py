@@ -8,13 +8,13 @@ import trimesh
 
 import shading_tolerances as tol
 from gltf_validator import assert_valid
-from skinshade.bake import BakeSettings, bake
+from skinshade.baking import BakeSettings, bake
+from skinshade.heads import Head, head_scene
 from skinshade.mesh import attributes as module
 from skinshade.mesh import load_mesh
-from skinshade.render import RenderSettings
-from skinshade.render.renderer import display, open_renderer
+from skinshade.rendering import RenderSettings, open_renderer
+from skinshade.rendering.tone import display_values
 from skinshade.scene import Material
-from skinshade.scene.heads import head_scene
 
 SIZE = (160, 200)
 
@@ -38,15 +38,15 @@ def pair(data_dir, baked_scan):
 @pytest.mark.slow
 def test_the_picture_of_the_baked_scan_is_that_of_the_raw_one(pair, monkeypatch):
     raw, baked = pair
-    way = RenderSettings(tier="tensor")
+    settings = RenderSettings(tier="tensor")
     shown = []
     for mesh in (raw, baked):
         if mesh is baked:  # from its attributes alone
             for name in ("mesh_curvature", "mesh_curvature_tensor"):
                 monkeypatch.delattr(module, name)
-        scene = head_scene(mesh, Material(), yaw_deg=28.0)
-        picture = open_renderer(scene, "cpu").draw(scene.camera, SIZE, 1, way)
-        shown.append(display(picture, scene, way))
+        scene = head_scene(Head(mesh, Material()), yaw_deg=28.0)
+        picture = open_renderer(scene, "cpu").draw(scene.camera, SIZE, 1, settings)
+        shown.append(display_values(picture, scene, settings))
     assert shown[0].std() > 0.05
     assert np.abs(shown[0] - shown[1]).max() <= tol.BAKED_PICTURE.value
 

@@ -1,4 +1,4 @@
-"""Pictures of the scan beside path tracing, as benchmarks/accuracy.py measures them."""
+"""Pictures of the scan compared with path tracing, as benchmarks/accuracy.py measures them."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ ROW = re.compile(r"^\| (\w+)[\w() ]*\| \**([\d.]+)\** \| \**([\d. ]+?)\** \|$", 
 
 
 def rows(text):
-    """FLIP, then RMS of red, green and blue, of each shading that a Markdown table names."""
-    found = {name: [flip, *rms.split()] for name, flip, rms in ROW.findall(text)}
-    return {name: np.array(found[name], dtype=np.float64) for name in SHADINGS}
+    """Return FLIP and the RMS of red, green and blue (4,) of each shading in a Markdown table."""
+    numbers = {name: [flip, *rms.split()] for name, flip, rms in ROW.findall(text)}
+    return {name: np.array(numbers[name], dtype=np.float64) for name in SHADINGS}
 
 
 def flip(a, b):
@@ -30,7 +30,7 @@ def flip(a, b):
 
 @pytest.fixture(scope="module")
 def measured(data_dir, tmp_path_factory):
-    """What the benchmark prints and draws."""
+    """The table that the benchmark prints, and the error maps that it writes."""
     accuracy, printed = benchmark("accuracy"), []
     folder = tmp_path_factory.mktemp("flip")
     (folder / "docs" / "images").mkdir(parents=True)
@@ -50,13 +50,13 @@ def references(data_dir):
 
 
 @pytest.mark.slow
-def test_scattering_brings_the_picture_nearer_to_path_tracing_by_eye(measured):
+def test_transfer_has_the_least_flip_and_classic_the_greatest(measured):
     error = {name: row[0] for name, row in measured[0].items()}
     assert error["transfer"] < error["lambert"] < error["classic"]
 
 
 @pytest.mark.slow
-def test_scattering_brings_every_channel_nearer_in_linear_light(measured):
+def test_transfer_has_the_least_rms_of_every_channel_and_classic_the_greatest(measured):
     rms = {name: row[1:] for name, row in measured[0].items()}
     assert (rms["transfer"] < rms["lambert"]).all()
     assert (rms["lambert"] < rms["classic"]).all()
@@ -64,30 +64,30 @@ def test_scattering_brings_every_channel_nearer_in_linear_light(measured):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", ["README.md", "docs/accuracy.md"])
-def test_the_figures_of_the_pages_are_those_measured(measured, page):
-    told = rows((ROOT / page).read_text(encoding="utf-8"))
+def test_the_figures_of_the_pages_are_the_measured_ones(measured, page):
+    published = rows((ROOT / page).read_text(encoding="utf-8"))
     for name, row in measured[0].items():
-        digits = np.abs(told[name] - row) * 1e4
+        digits = np.abs(published[name] - row) * 1e4
         assert digits.max() <= tol.PUBLISHED_DIGIT.value, f"{page}: {name} is {row}"
 
 
 @pytest.mark.slow
-def test_the_error_map_shows_the_three_side_by_side(measured):
+def test_the_committed_error_maps_have_the_size_of_the_measured_ones(measured):
     committed = read_image(ROOT / "docs" / "images" / "flip.png")
     assert measured[1].shape == committed.shape
     error = [part.mean() for part in np.split(measured[1], 3, axis=1)]
     assert error[2] < error[0] < error[1]
 
 
-def test_the_measure_is_nothing_between_equals_and_grows_with_the_difference(references):
-    skin = references[0][150:350, 560:760]  # brow, lid, half a forehead
+def test_flip_is_0_for_equal_pictures_and_rises_with_the_difference(references):
+    skin = references[0][150:350, 560:760]  # brow, lid and half of the forehead
     assert flip(skin, skin) == 0.0
-    darker = [flip(skin, skin * np.float32(1.0 - step)) for step in (0.01, 0.05, 0.2)]
-    assert 0.0 < darker[0] < darker[1] < darker[2]
+    errors = [flip(skin, skin * np.float32(1.0 - step)) for step in (0.01, 0.05, 0.2)]
+    assert 0.0 < errors[0] < errors[1] < errors[2]
 
 
-def test_path_tracing_without_scattering_is_as_far_off_as_the_page_says(references):
+def test_the_flip_of_path_tracing_without_scattering_is_the_published_one(references):
     page = (ROOT / "docs" / "accuracy.md").read_text(encoding="utf-8")
-    told = re.search(r"without subsurface scattering.*?FLIP (0\.\d{3})\b", page, re.DOTALL)
-    digits = abs(flip(*references) - float(told[1])) * 1e3
+    published = re.search(r"without subsurface scattering.*?FLIP (0\.\d{3})\b", page, re.DOTALL)
+    digits = abs(flip(*references) - float(published[1])) * 1e3
     assert digits <= tol.PUBLISHED_DIGIT.value

@@ -1,4 +1,4 @@
-"""The three tiers beside diffusion over the mesh, on the bodies and the scan of benchmarks/three_tiers.py."""
+"""The three tiers compared with diffusion over the mesh, on the bodies of benchmarks/three_tiers.py."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PUBLISHED = {
     "ellipsoid 15, 10, 5": (0.0116, 0.0076, 0.0067, 0.0064, 0.0032),
     "ellipsoid 20, 6, 6": (0.0116, 0.0066, 0.0056, 0.0041, 0.0022),
 }
-"""RMS in the order of `ORDER`, over four random lights: MODEL §2."""
+"""RMS error of each tier of `ORDER`, over four random lights: MODEL §2."""
 
 
 @pytest.fixture(scope="module")
@@ -29,16 +29,18 @@ def tables():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PUBLISHED)
-def test_each_tier_errs_as_little_as_was_published_and_less_than_the_one_below(name, tables):
+def test_the_error_of_each_tier_is_the_published_one_and_less_than_that_of_the_tier_before(
+    name, tables
+):
     errors = three_tiers.errors(three_tiers.BODIES[name](SKIN), tables)
-    in_order = [errors[tier] for tier in ORDER]
-    assert in_order == sorted(in_order, reverse=True)
+    ordered = [errors[tier] for tier in ORDER]
+    assert ordered == sorted(ordered, reverse=True)
     for tier, limit in zip(ORDER, PUBLISHED[name], strict=True):
         assert errors[tier] <= tol.TIER_OVER_PUBLISHED.value * limit + tol.TIER_DIGIT.value, tier
 
 
 @pytest.mark.slow
-def test_on_a_sphere_the_tiers_that_know_the_tensor_are_the_truth(tables):
+def test_on_a_sphere_the_sphere_table_and_the_tensor_tiers_are_exact(tables):
     body = three_tiers.ellipsoid((20.0, 20.0, 20.0), SKIN)
     errors = three_tiers.errors(body, tables)
     for name in ("scalar sphere", "tensor", "diffused normals"):
@@ -47,11 +49,14 @@ def test_on_a_sphere_the_tiers_that_know_the_tensor_are_the_truth(tables):
 
 
 @pytest.mark.slow
-def test_on_the_scan_with_its_shadows_every_tier_beats_the_one_below(data_dir, tables, monkeypatch):
+def test_on_the_scan_with_shadows_diffused_normals_have_the_least_error(
+    data_dir, tables, monkeypatch
+):
     monkeypatch.setattr(three_tiers, "DATA", data_dir)
     body = three_tiers.scan(SKIN, cuts=1)
     light = np.array(three_tiers.SCAN_LIGHT) / np.linalg.norm(three_tiers.SCAN_LIGHT)
-    seen = three_tiers.scan_light(body, light, tables)
-    rms = {name: body.mean_square(value - seen["truth"]) ** 0.5 for name, value in seen.items()}
+    results = three_tiers.scan_light(body, light, tables)
+    truth = results["truth"]
+    rms = {name: body.mean_square(value - truth) ** 0.5 for name, value in results.items()}
     assert rms["diffused normals"] < rms["tensor"] < rms["lambert"]
     assert rms["diffused normals"] < rms["classic (2014)"]

@@ -1,4 +1,4 @@
-"""The examples run as they stand, and leave what they promise."""
+"""The examples run and write the files that they name."""
 
 from __future__ import annotations
 
@@ -30,26 +30,25 @@ def test_portrait_saves_a_table_and_a_picture_of_a_lit_head(repository, tmp_path
     assert middle[0] > middle[1] > middle[2]  # skin is redder than green, greener than blue
 
 
-def test_own_profile_tells_materials_apart(repository, tmp_path):
+def test_own_profile_distinguishes_materials(repository, tmp_path):
     lines = run(repository, "own_profile.py", tmp_path).splitlines()
     assert [line.split()[0] for line in lines] == ["skin-deon2007", "marble", "creature"]
     skin = Lut.load(tmp_path / "curvature-skin-deon2007.png")
     creature = Lut.load(tmp_path / "curvature-creature.png")
-    # Just past the terminator skin is red, the creature green.
+    # Just past the terminator, light on skin is red, and light on the creature green.
     assert skin.sample(-0.1, 0.125).argmax() == 0
     assert creature.sample(-0.1, 0.125).argmax() == 1
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["wgpu_skin", "moderngl_skin"])
-def test_a_foreign_renderer_draws_a_head_lit_from_one_side(repository, tmp_path, name):
+def test_another_renderer_draws_a_head_lit_from_one_side(repository, tmp_path, name):
     adapter_or_skip()
     run(repository, f"{name}.py", tmp_path)
     picture = read_image(tmp_path / f"{name}.png")
     assert picture.shape == (480, 480, 3)
-    assert (
-        picture[200, 190].sum() > 5.0 * picture[200, 300].sum()
-    )  # forehead, and beyond the terminator
+    forehead, past_terminator = picture[200, 190], picture[200, 300]
+    assert forehead.sum() > 5.0 * past_terminator.sum()
     red, green, blue = picture[300:330, 160:200].mean(axis=(0, 1))
     assert red > green > blue
 

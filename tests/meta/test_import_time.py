@@ -1,4 +1,4 @@
-"""`import skinshade` loads nothing but itself; each name loads what it needs, and no more."""
+"""`import skinshade` imports no other package; a name imports only what it needs."""
 
 from __future__ import annotations
 
@@ -16,26 +16,27 @@ loaded = {{name.partition(".")[0] for name in set(sys.modules) - before}}
 print(json.dumps(sorted(loaded - set(sys.stdlib_module_names))))
 """
 
-READERS_AND_PICTURES = {"trimesh", "pygltflib", "OpenImageIO", "PIL", "matplotlib", "pooch"}
-TERMINAL = {"typer", "rich", "click"}
+READERS_AND_PICTURES = {"trimesh", "OpenImageIO", "PIL", "matplotlib", "pooch", "pydantic"}
+TERMINAL = {"typer", "rich", "click", "wgpu"}
 NEVER_NEEDED_FOR = {
     "presets": READERS_AND_PICTURES | TERMINAL,
     "Profile": READERS_AND_PICTURES | TERMINAL,
-    "build_curvature_lut": READERS_AND_PICTURES | TERMINAL,
-    "build_shadow_lut": READERS_AND_PICTURES | TERMINAL,
+    "build_curvature_lut": (READERS_AND_PICTURES | TERMINAL) - {"OpenImageIO"},
+    "build_shadow_lut": (READERS_AND_PICTURES | TERMINAL) - {"OpenImageIO"},
     "mesh_curvature": READERS_AND_PICTURES | TERMINAL,
     "diffuse_on_mesh": READERS_AND_PICTURES | TERMINAL,
     "SkinParams": READERS_AND_PICTURES | TERMINAL | {"scipy"},
     "SkinshadeError": READERS_AND_PICTURES | TERMINAL | {"scipy", "numpy"},
-    "Scene": TERMINAL | {"matplotlib", "pooch", "PIL"},
-    "render": TERMINAL | {"matplotlib", "pooch", "PIL"},
-    "builtin_head": TERMINAL | {"matplotlib", "pooch", "PIL"},
+    "Scene": TERMINAL | {"matplotlib", "pooch", "PIL", "trimesh", "pydantic"},
+    "render": TERMINAL | {"matplotlib", "pooch", "PIL", "trimesh", "pydantic"},
+    "builtin_head": TERMINAL | {"matplotlib", "pooch", "PIL", "trimesh", "pydantic"},
+    "bake": TERMINAL | {"matplotlib", "pooch", "PIL", "trimesh", "pydantic"},
 }
-"""What a name must not load: readers wait for a file, the terminal for the command line."""
+"""Packages that importing a name must not import; those that read files are imported on use."""
 
 
 def loaded(statement):
-    """Packages, beside the standard library, that a statement loads in a fresh interpreter."""
+    """Return the packages, without the standard library, that a statement imports in a new process."""
     command = [sys.executable, "-W", "error", "-c", PROBE.format(statement=statement)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
@@ -50,20 +51,62 @@ def loaded(statement):
         "from skinshade import SkinshadeError, InputError",
     ],
 )
-def test_the_import_loads_nothing_but_skinshade(statement):
+def test_the_import_imports_no_other_package(statement):
     assert loaded(statement) == {"skinshade"}
 
 
-def test_the_probe_sees_what_is_loaded():
+def test_the_probe_finds_imported_packages():
     assert {"numpy", "scipy"} <= loaded("import scipy.fft")
 
 
 @pytest.mark.parametrize("name", NEVER_NEEDED_FOR)
-def test_a_name_loads_only_what_it_needs(name):
+def test_a_name_imports_only_what_it_needs(name):
     assert loaded(f"from skinshade import {name}") & NEVER_NEEDED_FOR[name] == set()
 
 
-def test_the_library_never_loads_its_command_line():
+def test_the_library_does_not_import_its_command_line():
     statement = "import skinshade, sys; [getattr(skinshade, n) for n in skinshade.__all__]"
     statement += "; assert not any(m.startswith('skinshade.cli') for m in sys.modules)"
-    assert loaded(statement).isdisjoint(TERMINAL)
+    assert loaded(statement).isdisjoint({"typer", "rich", "click"})
+
+
+CPU_SECONDS = """
+import resource, sys
+{statement}
+used = resource.getrusage(resource.RUSAGE_SELF)
+print(used.ru_utime + used.ru_stime)
+"""
+IMPORT_SECONDS, HELP_SECONDS = 0.1, 0.25
+"""Limits of CPU time, which depends little on other work on the machine."""
+
+
+def cpu_seconds(statement):
+    """Return the least CPU time of five new processes that run a statement, s, with the start of Python."""
+    command = [sys.executable, "-c", CPU_SECONDS.format(statement=statement)]
+    times = []
+    for _ in range(5):
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        times.append(float(done.stdout.splitlines()[-1]))
+    return min(times)
+
+
+def test_importing_skinshade_takes_less_than_a_tenth_of_a_second():
+    assert cpu_seconds("import skinshade") <= IMPORT_SECONDS
+
+
+def test_the_help_of_the_program_takes_less_than_a_quarter_of_a_second():
+    call = "sys.argv = ['skinshade', '--help']\ntry:\n    main()\nexcept SystemExit:\n    pass"
+    assert cpu_seconds(f"from skinshade.cli.app import main\n{call}") <= HELP_SECONDS
+
+
+def test_the_help_of_the_program_imports_no_numerical_packages():
+    call = "sys.argv = ['skinshade', '--help']\ntry:\n    main()\nexcept SystemExit:\n    pass"
+    packages = {"numpy", "scipy", "trimesh", "matplotlib", "wgpu", "pydantic"}
+    statement = f"from skinshade.cli.app import main\n{call}\nsys.stdout.flush()"
+    output = subprocess.run(
+        [sys.executable, "-c", PROBE.format(statement=statement)],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    assert set(json.loads(output.splitlines()[-1])).isdisjoint(packages)

@@ -1,4 +1,4 @@
-"""The shader library: generated files current, every function with its twin, valid in every language."""
+"""Shader library: generated files are current, functions have twins, every language compiles."""
 
 from __future__ import annotations
 
@@ -9,38 +9,44 @@ from importlib import import_module
 
 import pytest
 
-from gpu_device import tool_or_skip
-from skinshade._core.errors import CompilerError
-from skinshade.codegen.build import GENERATED, PAGE, generate
-from skinshade.codegen.compiler import LIBRARY, translate, version
-from skinshade.codegen.function_page import function_page
-from skinshade.codegen.signatures import signatures, twin_module
-from skinshade.render.cpu.shadow_map import FILTER_TAPS
-from skinshade.render.renderer import TAP_COUNTS
+from codegen.build import DOCS, GENERATED, generate, generate_docs
+from codegen.compiler import LIBRARY, PASSES, CompilerError, translate, version
+from codegen.signatures import signatures, twin_module
+from gpu_device import absent, tool_or_skip
+from skinshade.rendering.prepare.shadow_map import FILTER_TAPS
+from skinshade.rendering.settings import TAP_COUNTS
 
 HOST_ONLY = {
     "ambient": {"sh_basis": "inside skin_ambient_irradiance"},
     "deep_scatter": {
-        "default_sigma_per_mm": "once a profile",
+        "default_sigma_per_mm": "evaluated once per profile",
+        "mean_thickness": "inside skin_thickness",
         "poisson_disk": "a constant table",
-        "thickness_from_depths": "inside skin_thickness",
     },
     "image_light": {
         "LOBE_POWERS": "constants",
         "PreconvolvedRadiance": "its atlas is the texture",
-        "bilinear": "what a sampler does",
+        "bilinear": "the work of a sampler",
     },
-    "normals": {"normal_blend": "a fit, once a profile", "NormalBlend": "ScatterParams holds it"},
-    "tonemap": {"ToneMap": "a type", "tonemap": "a choice between two functions"},
+    "normals": {
+        "normal_blend": "a fit, once per profile",
+        "NormalBlend": "ScatterParams holds it",
+    },
+    "shadow": {
+        "lit_share": "inside skin_shadow_filter",
+        "shadow_disk": "a constant table",
+    },
+    "tonemap": {"tonemap": "a choice between two functions"},
 }
-"""Names of the specification that no pixel calls, and why."""
+"""Names of the specification without a twin, with the reasons."""
 RENAMED = {"radiance_sh": ("radiance_sh_red", "radiance_sh_green", "radiance_sh_blue")}
-"""Nine coefficients a channel are a matrix each in a shader."""
-FILES = sorted({each.file for each in signatures()})
+"""Parameters with another form in shaders: a matrix of nine coefficients for every channel."""
+FILES = sorted({signature.file for signature in signatures()})
 
 
 def specification(file):
-    return import_module(twin_module(next(each for each in signatures() if each.file == file)))
+    signature = next(signature for signature in signatures() if signature.file == file)
+    return import_module(twin_module(signature))
 
 
 @pytest.fixture(scope="module")
@@ -48,55 +54,69 @@ def compiler():
     try:
         return version()
     except CompilerError as error:
-        pytest.fail(str(error))
+        absent(str(error))
 
 
 @pytest.fixture(scope="module")
-def made(compiler):
+def texts(compiler):
     return generate()
 
 
-def test_what_is_committed_is_what_the_generator_makes(made):
+def test_generated_files_are_current(texts):
     committed = {path.name: path.read_text("utf-8") for path in GENERATED.iterdir()}
-    assert set(committed) == set(made)
-    for name, text in made.items():
+    assert set(committed) == set(texts)
+    for name, text in texts.items():
         assert committed[name] == text, f"{name} is stale: run `make shaders`"
 
 
-def test_taps_come_in_whole_groups():
-    text = (LIBRARY.parent / "passes" / "incident.slang").read_text("utf-8")
-    at_once = int(re.search(r"AT_ONCE = (\d+);", text).group(1))
+def test_tap_counts_are_multiples_of_the_tap_group():
+    text = (PASSES / "incident.slang").read_text("utf-8")
+    group = int(re.search(r"TAP_GROUP = (\d+);", text).group(1))
     taps = (FILTER_TAPS, *TAP_COUNTS)
-    assert [count % at_once for count in taps] == [0] * len(taps)
+    assert [count % group for count in taps] == [0] * len(taps)
 
 
-def test_the_page_of_functions_is_current(made, repository):
-    current = function_page(made)
-    assert (repository / "docs" / PAGE).read_text("utf-8") == current, "run `make shaders`"
+def test_generated_documents_are_current(texts):
+    for name, text in generate_docs(texts).items():
+        assert (DOCS / name).read_text("utf-8") == text, f"{name} is stale: run `make shaders`"
 
 
 @pytest.mark.parametrize("file", FILES)
-def test_both_sides_have_the_same_functions(file):
-    in_shader = {each.twin for each in signatures() if each.file == file}
+def test_shaders_and_specification_have_the_same_functions(file):
+    in_shader = {signature.twin for signature in signatures() if signature.file == file}
     module = specification(file)
     in_numpy = {name for name in module.__all__ if name not in HOST_ONLY.get(file, {})}
     assert in_shader == in_numpy
 
 
-@pytest.mark.parametrize("signature", signatures(), ids=lambda each: each.name)
+@pytest.mark.parametrize("signature", signatures(), ids=lambda signature: signature.name)
 def test_twins_take_the_same_parameters_in_the_same_order(signature):
     twin = getattr(specification(signature.file), signature.twin)
-    wanted = []
+    expected = []
     for name in inspect.signature(twin).parameters:
-        wanted += RENAMED.get(name, (name,))
-    assert [parameter.name for parameter in signature.parameters] == wanted
+        expected += RENAMED.get(name, (name,))
+    assert [parameter.name for parameter in signature.parameters] == expected
 
 
 @pytest.mark.parametrize("path", sorted(LIBRARY.glob("*.slang")), ids=lambda path: path.stem)
-def test_every_public_function_is_explained_where_it_stands(path):
+def test_every_source_begins_with_a_comment_and_is_short(path):
     lines = path.read_text("utf-8").splitlines()
     assert lines[0].startswith("// ")
     assert len(lines) <= 250
+
+
+@pytest.mark.parametrize("path", sorted(LIBRARY.glob("*.slang")), ids=lambda path: path.stem)
+def test_a_comment_precedes_every_public_function_of_more_than_a_few_lines(path):
+    text = path.read_text("utf-8")
+    for match in re.finditer(r"^SKIN_API[^{]*\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL):
+        before = text[: match.start()].rstrip().splitlines()[-1]
+        assert before.startswith("//") or match.group(1).count("\n") <= 6, match.group(0)[:80]
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_twins_are_in_the_same_folder(file):
+    assert (LIBRARY / f"{file}.slang").is_file()
+    assert (LIBRARY / f"{file}.py").is_file()
 
 
 GLSL = {

@@ -1,7 +1,7 @@
-"""Every language of the shader library where something here can run it.
+"""Runners of the shader library in every language that this machine can run.
 
-Devices are real: any adapter will do, lavapipe where there is no other. Metal has no driver outside
-its own machines.
+The devices are real: any adapter will do, lavapipe if there is no other. Metal runs on Apple's machines
+only, so it is not among the languages.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ LANGUAGES = {
     "webgl-2": (WebGL, "browser"),
     "webgpu": (WebGPU, "browser"),
 }
-"""By language, its runner and the fixtures that it takes."""
+"""Runner of each language, and the fixtures that it takes."""
 
 
 @pytest.fixture(scope="session")
@@ -37,14 +37,14 @@ def device():
 
 @pytest.fixture(scope="session")
 def browser():
-    opened = Browser()
-    yield opened
-    opened.close()
+    browser = Browser()
+    yield browser
+    browser.close()
 
 
 @pytest.fixture(scope="session", params=LANGUAGES)
 def runner(request):
     kind, *fixtures = LANGUAGES[request.param]
-    opened = kind(*map(request.getfixturevalue, fixtures))
-    yield opened
-    opened.close()
+    runner = kind(*map(request.getfixturevalue, fixtures))
+    yield runner
+    runner.close()

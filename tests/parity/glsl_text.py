@@ -1,16 +1,16 @@
-"""Programs in GLSL that run the library on rows: compute shaders, and fragments where there are none."""
+"""GLSL programs that run the library on rows: compute shaders, and fragment shaders for old versions."""
 
 from __future__ import annotations
 
-from rows import GLSL, call, parts, statements
+from rows import GLSL, call, components, statements
 
-from skinshade.codegen.kernels import WORKGROUP
+from codegen.kernels import WORKGROUP
 
 COMPUTE = """#version {version}
 layout(local_size_x = {group}) in;
 layout(std430, binding = 0) readonly buffer Inputs {{ float inputs[]; }};
 layout(std430, binding = 1) buffer Outputs {{ float outputs[]; }};
-{declared}
+{declarations}
 {library}
 {kernels}
 void main()
@@ -29,21 +29,21 @@ VERTEX = """void main()
     gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }
 """
-"""One triangle over all that is drawn on."""
+"""One triangle that covers the whole target."""
 FRAGMENT = """uniform sampler2D inputs;
-{declared}
+{declarations}
 out vec4 outputs;
 {library}
-float given(int column)
+float input_at(int column)
 {{
     return texelFetch(inputs, ivec2(column, int(gl_FragCoord.y)), 0).x;
 }}
 void main()
 {{
     {type} result = {call};
-    float each_part[{width}] = float[{width}]({parts});
+    float values[{width}] = float[{width}]({values});
     int first = 4 * int(gl_FragCoord.x);
-    outputs = vec4(each_part[first], each_part[first + 1], each_part[first + 2], each_part[first + 3]);
+    outputs = vec4(values[first], values[first + 1], values[first + 2], values[first + 3]);
 }}
 """
 """A row of numbers is a row of texels; a fragment writes four floats of one result."""
@@ -53,21 +53,25 @@ def combined_samplers(names):
     return "\n".join(f"uniform sampler2D {name};" for name in names)
 
 
-def compute_text(functions, library, *, version, declared, main, combined):
-    """A compute shader with a ``run_skin_...(row)`` for each function, which ``main`` calls."""
+def compute_text(functions, library, *, version, declarations, main, combined):
+    """Return a compute shader with a ``run_skin_...(row)`` for each function, which ``main`` calls."""
     kernels = [
         KERNEL.format(
-            name=each.name,
+            name=function.name,
             statements=statements(
-                each, GLSL, index_type="uint", result_type=GLSL[each.returns], combined=combined
+                function,
+                GLSL,
+                index_type="uint",
+                result_type=GLSL[function.returns],
+                combined=combined,
             ),
         )
-        for each in functions
+        for function in functions
     ]
     return COMPUTE.format(
         version=version,
         group=WORKGROUP,
-        declared=declared,
+        declarations=declarations,
         library=library,
         kernels="\n".join(kernels),
         main=main,
@@ -75,14 +79,14 @@ def compute_text(functions, library, *, version, declared, main, combined):
 
 
 def fragment_text(signature, library, names):
-    """A fragment shader without its version, for OpenGL 3.3 and WebGL 2."""
-    each = parts(signature)
-    each += ["0.0"] * (-len(each) % 4)
+    """Return a fragment shader without its version line, for OpenGL 3.3 and WebGL 2."""
+    values = components(signature)
+    values += ["0.0"] * (-len(values) % 4)
     return FRAGMENT.format(
-        declared=combined_samplers(names),
+        declarations=combined_samplers(names),
         library=library,
         type=GLSL[signature.returns],
-        call=call(signature, GLSL, lambda column: f"given({column})", combined=True),
-        width=len(each),
-        parts=", ".join(each),
+        call=call(signature, GLSL, lambda column: f"input_at({column})", combined=True),
+        width=len(values),
+        values=", ".join(values),
     )

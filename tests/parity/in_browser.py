@@ -1,4 +1,4 @@
-"""The library in Chromium: skin.gl.glsl as GLSL ES 3.00 in WebGL 2, skin.wgsl by Tint in WebGPU."""
+"""The library in Chromium: skin.gl.glsl as GLSL ES 3.00 in WebGL 2, and skin.wgsl in WebGPU (Tint)."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from pathlib import Path
 import numpy as np
 from glsl_text import VERTEX, fragment_text
 from on_wgpu import entry_point
-from rows import WGSL, Runner, generated, places, statements, texture_names
+from rows import WGSL, Runner, binding_numbers, generated, statements, texture_names
 
+from codegen.kernels import WORKGROUP
+from codegen.signatures import FLOATS, signatures
 from gpu_device import absent
-from skinshade.codegen.kernels import WORKGROUP
-from skinshade.codegen.signatures import FLOATS, signatures
 
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-# Root cannot have a sandbox, and the page shows nothing but this project's shaders; WebGPU is
-# behind a flag where the only adapter is software.
+# The sandbox does not work as root, and the page runs nothing but this project's shaders. WebGPU needs
+# a flag where the only adapter is software.
 FLAGS = ["--no-sandbox", "--enable-unsafe-webgpu"]
 ES = """#version 300 es
 precision highp float;
@@ -36,9 +36,9 @@ fn {entry}(@builtin(global_invocation_id) thread : vec3<u32>)
 
 
 class Browser:
-    """One Chromium for all pages, driven from a thread of its own.
+    """One Chromium for all pages, driven from its own thread.
 
-    Whoever drives it has an event loop running in its thread, where nobody else could start one.
+    The driver runs an event loop in its thread; no other code could start one in the same thread.
     """
 
     def __init__(self):
@@ -47,13 +47,13 @@ class Browser:
             absent("Chromium is not installed (Debian: chromium)")
         self.thread = ThreadPoolExecutor(1)
         try:
-            self.driver, self.browser = self.within(self._started, program)
-        except Exception as error:  # no package, or a browser that does not start
+            self.driver, self.browser = self.within(self._start, program)
+        except Exception as error:  # the package is missing, or the browser does not start
             self.thread.shutdown()
             absent(f"Chromium cannot be driven ({error})")
 
     @staticmethod
-    def _started(program):
+    def _start(program):
         from playwright.sync_api import sync_playwright
 
         driver = sync_playwright().start()
@@ -68,13 +68,13 @@ class Browser:
         return self.thread.submit(function, *arguments).result()
 
     def page(self, script):
-        """Return a page that has run a script; WebGPU wants a secure context, as localhost is."""
+        """Return a page that has run a script; WebGPU needs a secure context, such as localhost."""
         page = self.browser.new_page()
         page.route(
             "**/*", lambda route: route.fulfill(body="<!doctype html>", content_type="text/html")
         )
         page.goto("http://localhost/")
-        texts = [Path(__file__).with_name(each).read_text("utf-8") for each in ("page.js", script)]
+        texts = [Path(__file__).with_name(name).read_text("utf-8") for name in ("page.js", script)]
         page.evaluate("async () => {" + "\n".join(texts) + "}")
         return page
 
@@ -85,7 +85,7 @@ class Browser:
 
 
 class Page(Runner):
-    """A page whose script defines ``rows``, which runs one function."""
+    """A page whose script defines ``window.rows``, which runs one function."""
 
     script: str
 
@@ -98,20 +98,21 @@ class Page(Runner):
 
     def run(self, signature, rows, textures):
         width = FLOATS[signature.returns]
-        given = {
+        arguments = {
             "count": len(rows),
             "length": rows.shape[1],
             "width": width,
-            "data": text64(rows),
-            "textures": [described(name, each) for name, each in textures.items()],
+            "data": base64_text(rows),
+            "textures": [texture_argument(name, value) for name, value in textures.items()],
             **self.program(signature, list(textures)),
         }
-        found = self.browser.within(self.page.evaluate, "given => window.rows(given)", given)
-        floats = np.frombuffer(base64.b64decode(found), dtype=np.float32)
+        evaluate = self.page.evaluate
+        text = self.browser.within(evaluate, "arguments => window.rows(arguments)", arguments)
+        floats = np.frombuffer(base64.b64decode(text), dtype=np.float32)
         return floats.reshape(len(rows), -1)[:, :width]
 
     def program(self, signature, names):
-        """What ``rows`` needs to know besides numbers and textures."""
+        """Return the arguments of ``rows`` that describe the program."""
         raise NotImplementedError
 
     def close(self):
@@ -119,7 +120,7 @@ class Page(Runner):
 
 
 class WebGL(Page):
-    """A draw for each function."""
+    """One draw call for each function."""
 
     script = "webgl.js"
 
@@ -129,56 +130,56 @@ class WebGL(Page):
 
 
 class WebGPU(Page):
-    """A dispatch for each function; the kernels stand in one module, as a user would write them."""
+    """One dispatch for each function; all kernels and the library are one module, as a user's would be."""
 
     script = "webgpu.js"
 
     def __init__(self, browser):
         super().__init__(browser)
-        self.places = places()
+        self.bindings = binding_numbers()
         self.text = self._text(signatures())
 
     def _text(self, functions):
-        globals_ = [
+        variables = [
             "var<storage, read> inputs : array<f32>",
             "var<storage, read_write> outputs : array<f32>",
         ]
         for name in texture_names(functions):
-            globals_ += [f"var {name} : texture_2d<f32>", f"var {name}_sampler : sampler"]
-        lines = [f"@group(0) @binding({at}) {each};" for at, each in enumerate(globals_)]
+            variables += [f"var {name} : texture_2d<f32>", f"var {name}_sampler : sampler"]
+        lines = [f"@group(0) @binding({number}) {v};" for number, v in enumerate(variables)]
         kernels = [
             KERNEL.format(
                 group=WORKGROUP,
-                entry=entry_point(each),
-                statements=statements(each, WGSL, index_type="let", result_type="let"),
+                entry=entry_point(function),
+                statements=statements(function, WGSL, index_type="let", result_type="let"),
             )
-            for each in functions
+            for function in functions
         ]
         return "\n".join([*lines, generated("skin.wgsl"), *kernels])
 
     def program(self, signature, names):
-        # The text goes over once; the page keeps the module.
+        # The text is sent once; the page keeps the module.
         text, self.text = self.text, None
         entry = entry_point(signature)
-        return {"text": text, "entry": entry, "places": self.places, "group": WORKGROUP}
+        return {"text": text, "entry": entry, "bindings": self.bindings, "group": WORKGROUP}
 
 
-def described(name, texture):
-    """A texture as the scripts take it; WebGPU's words for sampling are in camel case there."""
+def texture_argument(name, texture):
+    """Return a texture as an argument of the scripts; JavaScript's WebGPU has names in camel case."""
     height, width, _ = texture.rgba.shape
-    sampled = {
-        re.sub("_(.)", lambda f: f[1].upper(), key): value for key, value in texture.sampled.items()
+    sampler = {
+        re.sub("_(.)", lambda m: m[1].upper(), key): value for key, value in texture.sampler.items()
     }
     return {
         "name": name,
         "width": width,
         "height": height,
         "linear": texture.linear,
-        "around": texture.around,
-        "sampled": sampled,
-        "data": text64(texture.rgba),
+        "repeatsU": texture.repeats_u,
+        "sampler": sampler,
+        "data": base64_text(texture.rgba),
     }
 
 
-def text64(array):
+def base64_text(array):
     return base64.b64encode(np.ascontiguousarray(array, dtype=np.float32).tobytes()).decode()

@@ -1,4 +1,4 @@
-"""skin.vulkan.glsl, which the reference compiler makes SPIR-V of, on wgpu."""
+"""skin.vulkan.glsl on wgpu: the reference compiler translates it to SPIR-V."""
 
 from __future__ import annotations
 
@@ -9,58 +9,56 @@ from pathlib import Path
 import numpy as np
 from glsl_text import compute_text
 from on_wgpu import WgpuRunner
-from rows import Texture, generated, places, texture_names
+from rows import Texture, binding_numbers, generated, texture_names
 
+from codegen.signatures import signatures
 from gpu_device import tool_or_skip
-from skinshade.codegen.signatures import signatures
 
 UNUSED = Texture(np.zeros((1, 1, 4), dtype=np.float32), {})
 
 
 class VulkanGlsl(WgpuRunner):
-    """One module for all functions: a start of the compiler takes longer than its work.
+    """One module for all functions, because the compiler takes longer to start than to compile.
 
-    A constant that is known when the pipeline is made chooses between them.
+    A specialization constant selects the function when the pipeline is created.
     """
 
     def __init__(self, device):
-        super().__init__(device, places())
+        super().__init__(device, binding_numbers())
         functions = signatures()
-        self.numbers = {each.name: number for number, each in enumerate(functions)}
+        self.numbers = {function.name: number for number, function in enumerate(functions)}
         self.names = texture_names(functions)
         self.module = device.create_shader_module(code=spirv(self._text(functions)))
 
     def _text(self, functions):
-        declared = ["layout(constant_id = 0) const int chosen = -1;"]
+        declarations = ["layout(constant_id = 0) const int selected = -1;"]
         for name in self.names:
             sampler = f"{name}_sampler"
-            declared += [
-                f"layout(binding = {self.places[name]}) uniform texture2D {name};",
-                f"layout(binding = {self.places[sampler]}) uniform sampler {sampler};",
+            declarations += [
+                f"layout(binding = {self.bindings[name]}) uniform texture2D {name};",
+                f"layout(binding = {self.bindings[sampler]}) uniform sampler {sampler};",
             ]
-        cases = [
-            f"case {self.numbers[each.name]}: run_{each.name}(row); break;" for each in functions
-        ]
+        cases = [f"case {n}: run_{name}(row); break;" for name, n in self.numbers.items()]
         return compute_text(
             functions,
             generated("skin.vulkan.glsl"),
             version=450,
-            declared="\n".join(declared),
-            main=" ".join(["switch (chosen) {", *cases, "}"]),
+            declarations="\n".join(declarations),
+            main=" ".join(["switch (selected) {", *cases, "}"]),
             combined=False,
         )
 
     def stage(self, signature):
-        chosen = {"0": self.numbers[signature.name]}
-        return {"module": self.module, "entry_point": "main", "constants": chosen}
+        constants = {"0": self.numbers[signature.name]}
+        return {"module": self.module, "entry_point": "main", "constants": constants}
 
     def run(self, signature, rows, textures):
-        # The module names every texture, so every pipeline wants all of them bound.
+        # The module declares every texture, so every pipeline needs all of them bound.
         return super().run(signature, rows, {**dict.fromkeys(self.names, UNUSED), **textures})
 
 
 def spirv(text):
-    """What glslangValidator makes of a compute shader for Vulkan."""
+    """Return the SPIR-V that glslangValidator makes of a compute shader for Vulkan."""
     program = tool_or_skip("glslangValidator")
     with tempfile.TemporaryDirectory() as folder:
         source, binary = Path(folder, "kernels.comp"), Path(folder, "kernels.spv")

@@ -8,7 +8,7 @@ COUNT = 512
 
 
 def uniform(low, high, *ends):
-    """Numbers between two bounds; both bounds, and any others, are among them."""
+    """Return a function that draws numbers between two bounds; bounds and `ends` are among them."""
 
     def draw(rng, shape=()):
         values = rng.uniform(low, high, (COUNT, *shape))
@@ -31,7 +31,7 @@ def unit(rng):
 
 
 def channel_normals(rng):
-    """Three normals a row, shorter than 1 as averages are, some of them whole, some nothing."""
+    """Return three normals per row, shorter than 1 like averages; some have length 1, some 0."""
     v = np.stack([unit(rng) for _ in range(3)], axis=1)
     length = rng.uniform(0.05, 1.0, (COUNT, 3, 1))
     length[:4] = [[[1.0]] * 3, [[0.5]] * 3, [[1e-3]] * 3, [[0.0]] * 3]
@@ -55,7 +55,7 @@ def coefficients(rng):
 
 
 def projection(rng):
-    """Parallel or perspective, either hand, each range of depth: one of them for all rows."""
+    """Return one projection for all rows: parallel or perspective, of a random hand and depth range."""
     near, far = 40.0, 2000.0
     hand = rng.choice([-1.0, 1.0])
     at_near, at_far = [(0.0, 1.0), (-1.0, 1.0), (1.0, 0.0)][rng.integers(3)]
@@ -70,17 +70,37 @@ def projection(rng):
     return np.tile(m, (COUNT, 1, 1))
 
 
+def light_projection(rng):
+    """Return a projection that maps some 100 mm, 700 mm in front of a light, to the whole map."""
+    m = projection(rng)
+    m[:, :2] *= 8.0 if m[0, 3, 3] == 0.0 else 1.0 / 80.0
+    return m
+
+
+def light_view(rng):
+    """Return the view of a light that is 700 mm from the origin, of either hand; one for all rows."""
+    right, up, forward = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    m = np.eye(4)
+    m[:3, :3] = right, up, rng.choice([-1.0, 1.0]) * forward
+    m[2, 3] = rng.choice([-700.0, 700.0])
+    return np.tile(m, (COUNT, 1, 1))
+
+
+def one_unit_for_all(rng):
+    return np.tile(unit(rng)[-1], (COUNT, 1))
+
+
 def one_for_all(low, high):
     return lambda rng: np.full(COUNT, rng.uniform(low, high))
 
 
 def one_for_all_uv(rng):
-    """The radius of a disk in a map whose texels are square, or not."""
+    """Return the radius of a disk in a map whose texels need not be square."""
     return np.tile(rng.uniform(0.002, 0.05, 2), (COUNT, 1))
 
 
 def footprint(rng):
-    """Changes of UV from nothing to the whole map."""
+    """Return changes of UV from 0 to the whole map."""
     along = 10.0 ** rng.uniform(-6.0, 0.0, (COUNT, 1)) * rng.normal(size=(COUNT, 2))
     along[0] = 0.0
     return along
@@ -88,6 +108,7 @@ def footprint(rng):
 
 VALUES = {
     "albedo": rgb(0.02, 0.95),
+    "bias_mm": one_for_all(0.1, 5.0),
     "band_transfer": lambda rng: uniform(0.0, 1.2)(rng, (3, 3)),
     "blend": weights,
     "blue": rgb(0.0, 2.0),
@@ -98,6 +119,7 @@ VALUES = {
     "direction": unit,
     "directional_per_mm": uniform(0.0, 0.5),
     "display": rgb(-0.1, 1.1),
+    "faces_light": lambda rng: rng.integers(0, 2, COUNT).astype(float),
     "fetched": channel_normals,
     "filter_width_mm": one_for_all(4.0, 20.0),
     "from_mesh": channel_normals,
@@ -108,6 +130,8 @@ VALUES = {
     "hardware_level": uniform(0.0, 6.0),
     "irradiance_behind": rgb(0.0, 2.0),
     "light": unit,
+    "light_right": one_unit_for_all,
+    "light_up": one_unit_for_all,
     "m": uniform(-1.0, 1.0, 0.0),
     "map_extent": lambda rng: 2.0 ** rng.integers(0, 14, (COUNT, 2)),
     "map_size": one_for_all(256.0, 4096.0),
@@ -145,6 +169,7 @@ VALUES = {
     "tensor_world": symmetric,
     "taps": lambda rng: np.full(COUNT, rng.choice([8, 32])),
     "thickness_mm": uniform(0.0, 100.0),
+    "to_light": unit,
     "total_per_mm": uniform(0.5, 1.0),
     "transmitted": rgb(0.0, 1.0),
     "uv": lambda rng: uniform(-0.05, 1.05)(rng, (2,)),
@@ -154,19 +179,25 @@ VALUES = {
     "view": unit,
     "visibility": uniform(0.0, 1.0),
 }
-"""By the parameter's name, which means the same wherever it stands."""
+"""Functions that draw values, by the parameter's name, which has one meaning in the library."""
 
 BY_FUNCTION = {
     ("skin_energy_gain", "curvature_per_mm"): rgb(-0.5, 0.5),
     ("skin_bounced_visibility", "visibility"): rgb(0.0, 1.0),
     ("skin_filmic", "light"): rgb(0.0, 20.0),
+    ("skin_light_coordinates", "view"): light_view,
+    ("skin_shadow_filter", "map_extent"): lambda rng: np.tile([128.0, 96.0], (COUNT, 1)),
+    ("skin_shadow_filter", "position_mm"): rgb(-60.0, 60.0),
+    ("skin_shadow_filter", "projection"): light_projection,
+    ("skin_shadow_filter", "taps"): lambda rng: np.full(COUNT, rng.choice([16, 48])),
+    ("skin_shadow_filter", "view"): light_view,
     ("skin_srgb_from_linear", "light"): rgb(-0.1, 1.1),
 }
-"""Where the same word is another type: a colour, not a direction."""
+"""Exceptions: parameters of another type or range under the same name."""
 
 
 def drawn(signature, seed):
-    """Values by name for one batch, rounded to float32 as the shader reads them."""
+    """Return the values of one batch by name, rounded to float32, which shaders read."""
     rng = np.random.default_rng(seed)
     values = {}
     for parameter in signature.parameters:

@@ -1,4 +1,4 @@
-"""Kernels on wgpu: those that are generated in WGSL, and the dispatch that SPIR-V shares with them."""
+"""Kernels on wgpu: the generated WGSL, and the dispatch that runners of SPIR-V share."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ import numpy as np
 import wgpu
 from rows import Runner, generated
 
-from skinshade.codegen.kernels import WORKGROUP
-from skinshade.codegen.signatures import FLOATS
+from codegen.kernels import WORKGROUP
+from codegen.signatures import FLOATS
 
 
 class WgpuRunner(Runner):
-    """Kernels that bind ``places`` by name."""
+    """Dispatches kernels whose resources have the given binding numbers, by name."""
 
-    def __init__(self, device, places):
-        self.device, self.places, self.pipelines = device, places, {}
+    def __init__(self, device, bindings):
+        self.device, self.bindings, self.pipelines = device, bindings, {}
 
     def stage(self, signature):
-        """Return module and entry point of a function, as wgpu describes a compute stage."""
+        """Return module and entry point of a function as wgpu's description of a compute stage."""
         raise NotImplementedError
 
     def run(self, signature, rows, textures):
@@ -31,12 +31,13 @@ class WgpuRunner(Runner):
         resources = {"inputs": {"buffer": inputs}, "outputs": {"buffer": outputs}}
         for name, texture in textures.items():
             resources[name] = self._view(texture.rgba)
-            resources[f"{name}_sampler"] = self.device.create_sampler(**texture.sampled)
+            resources[f"{name}_sampler"] = self.device.create_sampler(**texture.sampler)
         pipeline = self._pipeline(signature)
         group = self.device.create_bind_group(
             layout=pipeline.get_bind_group_layout(0),
             entries=[
-                {"binding": self.places[name], "resource": each} for name, each in resources.items()
+                {"binding": self.bindings[name], "resource": resource}
+                for name, resource in resources.items()
             ],
         )
         encoder = self.device.create_command_encoder()
@@ -46,8 +47,8 @@ class WgpuRunner(Runner):
         work.dispatch_workgroups(len(rows) // WORKGROUP)
         work.end()
         self.device.queue.submit([encoder.finish()])
-        read = self.device.queue.read_buffer(outputs)
-        return np.frombuffer(read, dtype=np.float32).reshape(len(rows), width)
+        data = self.device.queue.read_buffer(outputs)
+        return np.frombuffer(data, dtype=np.float32).reshape(len(rows), width)
 
     def _pipeline(self, signature):
         if signature.name not in self.pipelines:
@@ -69,7 +70,7 @@ class WgpuRunner(Runner):
 
 
 def entry_point(signature):
-    """Name of a function's generated kernel."""
+    """Return the name of a function's generated kernel."""
     return signature.name.replace("skin_", "run_", 1)
 
 
@@ -78,8 +79,8 @@ class Wgsl(WgpuRunner):
 
     def __init__(self, device):
         text = generated("kernels.wgsl")
-        found = re.findall(r"@binding\((\d+)\) @group\(0\) var(?:<[^>]*>)? (\w+?)_0 :", text)
-        super().__init__(device, {name: int(binding) for binding, name in found})
+        variables = re.findall(r"@binding\((\d+)\) @group\(0\) var(?:<[^>]*>)? (\w+?)_0 :", text)
+        super().__init__(device, {name: int(binding) for binding, name in variables})
         self.module = device.create_shader_module(code=text)
 
     def stage(self, signature):

@@ -1,4 +1,4 @@
-"""Every function of the shader library beside its twin in the specification, in every language."""
+"""Every function of the shader library equals its twin in the specification, in every language."""
 
 from __future__ import annotations
 
@@ -9,32 +9,32 @@ import pytest
 from inputs import drawn
 from twins import expected, tables_for
 
+from codegen.signatures import signatures
 from parity_tolerances import FLOAT32, PARITY
-from skinshade.codegen.signatures import signatures
 
-FUNCTIONS = {each.name: each for each in signatures()}
+FUNCTIONS = {signature.name: signature for signature in signatures()}
 BATCHES = 6
 
 
 @cache
 def case(name):
-    """What a function is given, and what its twin makes of it: the same for every language."""
+    """Return values, textures and the twin's results of a function; the same for every language."""
     signature = FUNCTIONS[name]
     tables = tables_for(signature)
     batches = [drawn(signature, seed) for seed in range(BATCHES)]
-    want = np.concatenate([expected(signature, each, tables) for each in batches])
-    values = {key: np.concatenate([each[key] for each in batches]) for key in batches[0]}
-    return values, {table: pair[0] for table, pair in tables.items()}, want
+    truth = np.concatenate([expected(signature, batch, tables) for batch in batches])
+    values = {name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]}
+    return values, {table: pair[0] for table, pair in tables.items()}, truth
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_a_function_equals_its_twin_on_random_and_limiting_inputs(runner, name):
     allowed = PARITY.get(name, FLOAT32)
-    values, textures, want = case(name)
-    found = runner(FUNCTIONS[name], values, textures)
-    assert found.shape == want.shape
-    assert np.isfinite(found).all()
-    excess = np.abs(found - want) - allowed.absolute - allowed.relative * np.abs(want)
-    worst = int(np.argmax(excess.reshape(len(want), -1).max(axis=1)))
+    values, textures, truth = case(name)
+    result = runner(FUNCTIONS[name], values, textures)
+    assert result.shape == truth.shape
+    assert np.isfinite(result).all()
+    excess = np.abs(result - truth) - allowed.absolute - allowed.relative * np.abs(truth)
+    worst = int(np.argmax(excess.reshape(len(truth), -1).max(axis=1)))
     row = {key: value[worst] for key, value in values.items()}
-    assert excess.max() <= 0.0, f"{row}: {found[worst]}, not {want[worst]}"
+    assert excess.max() <= 0.0, f"{row}: {result[worst]}, not {truth[worst]}"

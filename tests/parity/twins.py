@@ -1,4 +1,4 @@
-"""The specification's side of every shader function: the same parameters as NumPy takes them."""
+"""Calls of the twins: parameters of shader functions in the form that NumPy takes."""
 
 from __future__ import annotations
 
@@ -7,17 +7,21 @@ from importlib import import_module
 
 import numpy as np
 
-from skinshade.codegen.signatures import twin_module
-from skinshade.lut import build_curvature_lut, build_shadow_lut
+from codegen.signatures import twin_module
+from skinshade.lut import build_shadow_lut
 from skinshade.lut.classic import classic_curvature_lut
 from skinshade.profile import Profile
 from skinshade.scene import Environment
 from skinshade.shading.normals import NormalBlend
+from skinshade.shading.tables import build_curvature_lut
 
 ONE_FOR_ALL = {
-    "filter_width_mm", "map_size", "offset_mm", "radius_mm", "sharpening", "strength", "uv_scale_mm",
+    "bias_mm", "filter_width_mm", "map_size", "offset_mm", "radius_mm", "sharpening", "strength",
+    "uv_scale_mm",
 }  # fmt: skip
-"""Numbers of a material: one for all pixels in the specification."""
+"""Numbers that all pixels of a batch share in the specification."""
+SHARED_VECTORS = {"light_right", "light_up"}
+"""Vectors that all pixels of a batch share."""
 LINEAR = {"mag_filter": "linear", "min_filter": "linear"}
 AROUND = {**LINEAR, "address_mode_u": "repeat"}
 NEAREST: dict[str, str] = {}
@@ -31,23 +35,33 @@ def twin_of(signature):
 
 
 def tables_for(signature):
-    """Pairs of what the shader samples and what the twin is given, by name of the table."""
+    """Return the texture of the shader and the argument of the twin, by name of the table."""
     tables = {}
     for parameter in signature.parameters:
         if parameter.kind == "lut" and parameter.name == "transfer":
             tables["transfer"] = transfer_table()
         elif parameter.name == "preconvolved":
-            found = Environment.studio().preconvolved
-            tables["preconvolved"] = (found.atlas, None, AROUND), found
+            preconvolved = Environment.studio().preconvolved()
+            tables["preconvolved"] = (preconvolved.atlas, None, AROUND), preconvolved
         elif parameter.kind == "tex2d":
-            depths = np.random.default_rng(7).random((96, 128)).astype(np.float32) * np.float32(
-                0.97
-            )
+            depths = depth_map(signature)
             texels = np.repeat(depths[..., None], 3, axis=2)
             tables[parameter.name] = (texels, None, NEAREST), depths.astype(np.float64)
         elif parameter.kind == "lut":
             tables[parameter.name] = lut_of(signature)
     return tables
+
+
+def depth_map(signature):
+    """Return depths (96, 128) as a projection stores them.
+
+    Thickness is continuous in the depths. The wide filter compares them: it gets two depths that no
+    receiver of the batch is near, because a rounding decides comparisons of equal depths.
+    """
+    values = np.random.default_rng(7).random((96, 128)).astype(np.float32)
+    if signature.name == "skin_shadow_filter":
+        return np.rint(values)
+    return values * np.float32(0.97)
 
 
 def lut_of(signature):
@@ -79,31 +93,31 @@ def transfer_table():
 
 
 def expected(signature, values, tables):
-    """What the specification gives for a batch, in the shader's form."""
-    given = []
+    """Return the results of the specification for a batch, in the shader's form."""
+    arguments = []
     for parameter in signature.parameters:
         name = parameter.name
         if parameter.kind in ("lut", "tex2d"):
-            given.append(tables[name][1])
+            arguments.append(tables[name][1])
         elif name == "blend":
-            given.append(NormalBlend(np.zeros(2), values["blend"]))
+            arguments.append(NormalBlend(np.zeros(2), values["blend"]))
         elif name == "tensor_world":
             s = values[name]
             rows, columns = np.triu_indices(3)
-            given.append(s[:, rows, columns])
+            arguments.append(s[:, rows, columns])
         elif name == "taps":
-            given.append(int(values[name][0]))
-        elif name == "projection":
-            given.append(values[name][0])
+            arguments.append(int(values[name][0]))
+        elif parameter.kind == "float4x4" or name in SHARED_VECTORS:
+            arguments.append(values[name][0])
         elif name == "radiance_sh_red":
             channels = ("red", "green", "blue")
-            each = [values[f"radiance_sh_{channel}"][0].ravel() for channel in channels]
-            given.append(np.stack(each, axis=1))
+            columns = [values[f"radiance_sh_{channel}"][0].ravel() for channel in channels]
+            arguments.append(np.stack(columns, axis=1))
         elif name.startswith("radiance_sh_"):
             continue
         elif name in ONE_FOR_ALL:
-            given.append(float(values[name][0]))
+            arguments.append(float(values[name][0]))
         else:
-            given.append(values[name])
-    found = twin_of(signature)(*given)
-    return np.stack(found, axis=-1) if isinstance(found, tuple) else found
+            arguments.append(values[name])
+    result = twin_of(signature)(*arguments)
+    return np.stack(result, axis=-1) if isinstance(result, tuple) else result

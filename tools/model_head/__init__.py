@@ -1,1 +1,1 @@
-"""The tool that models the built-in head."""
+"""Modeller of the built-in head: signed distance fields, meshing and unwrapping."""

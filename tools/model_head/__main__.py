@@ -1,4 +1,4 @@
-"""Model the built-in head: ``python tools/model_head -o src/skinshade/scene/assets/head.glb``."""
+"""Model the built-in head: ``python tools/model_head -o src/skinshade/heads/assets/head.glb``."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ def main() -> None:
     """Build the head and write it."""
     parser = argparse.ArgumentParser(prog="model_head", description="Model the built-in head.")
     parser.add_argument("-o", "--output", type=Path, required=True, help="the .glb to write")
-    parser.add_argument("--step-mm", type=float, default=0.8, help="marching cubes cell")
-    parser.add_argument("--edge-scale", type=float, default=0.86, help="edge lengths, times this")
-    given = parser.parse_args()
-    vertices, faces = largest_component(*polygonise(head, given.step_mm))
-    vertices, faces = remesh(vertices, faces, head, gradient, given.edge_scale)
+    parser.add_argument("--step-mm", type=float, default=0.8, help="cell size of marching cubes")
+    parser.add_argument("--edge-scale", type=float, default=0.86, help="factor of edge lengths")
+    options = parser.parse_args()
+    vertices, faces = largest_component(*polygonise(head, options.step_mm))
+    vertices, faces = remesh(vertices, faces, head, gradient, options.edge_scale)
     flat = unwrap(vertices, faces)
     normals = unit(evaluate(gradient, vertices))
     weights = regions(vertices, normals)
     size = write_glb(
-        given.output,
+        options.output,
         (vertices[flat.source] * 1e-3).astype(np.float32),
         normals[flat.source].astype(np.float32),
         flat.uv.astype(np.float32),
@@ -39,7 +39,7 @@ def main() -> None:
         flat.faces,
     )
     print(
-        f"{given.output}: {len(vertices)} vertices ({len(flat.source)} with seams), "
+        f"{options.output}: {len(vertices)} vertices ({len(flat.source)} with seams), "
         f"{len(faces)} triangles, {size} bytes"
     )
 

@@ -1,8 +1,8 @@
-"""The outer ear as a thin bent sheet.
+"""Outer ear: a thin bent sheet.
 
-In the ear's own frame ``u`` goes backwards, ``v`` up along the ear and ``w`` out of its plane.  The
-cartilage is a sheet of 2.6-4 mm about a height ``w = m(u, v)``, bounded by an outline in
-``(u, v)``; the curled rim (helix) and the tragus are tubes laid on top.
+In the frame of the ear, ``u`` points backwards, ``v`` up along the ear, and ``w`` out of its plane. The
+cartilage is a sheet of 2.6-4 mm about a height ``w = m(u, v)`` within an outline in ``(u, v)``. The rim
+(helix) and the tragus are tubes on top of it.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ _CONCHA = [(4.5, -9.5), (9.0, -8.5), (12.3, -3.0), (12.3, 2.5), (8.5, 6.5)]
 
 
 def frame() -> Array:
-    """Rows ``u, v, w`` of the left ear's frame in head coordinates, ``(3, 3)``."""
+    """Return the axes ``u, v, w`` of the left ear in head coordinates, the rows of a ``(3, 3)`` matrix."""
     tilt, off = np.radians(TILT_DEG), np.radians(STAND_OFF_DEG)
     back = np.array([0.0, -np.sin(tilt), -np.cos(tilt)])
     v = np.array([0.0, np.cos(tilt), -np.sin(tilt)])
@@ -80,29 +80,29 @@ def frame() -> Array:
 
 
 def to_ear(p: Array) -> Array:
-    """Head coordinates ``(N, 3)`` (either side) to ear coordinates ``(N, 3)``, millimetres."""
+    """Return ear coordinates ``(N, 3)`` of points ``(N, 3)`` on either side of the head, mm."""
     s = p.copy()
     s[:, 0] = np.abs(p[:, 0])
     return np.asarray((s - ORIGIN_MM) @ frame().T)
 
 
 def _height_mm(uv: Array) -> Array:
-    """Middle height of the sheet over the ear's plane."""
+    """Return the height ``w`` of the middle of the sheet, mm."""
     u, v = uv[:, 0], uv[:, 1]
-    anti, at = along(uv, spline(_ANTIHELIX, 30))
+    anti, parameter = along(uv, spline(_ANTIHELIX, 30))
     crus, _ = along(uv, np.asarray(_LOWER_CRUS, dtype=np.float64))
     bowl, _ = along(uv, np.asarray(_CONCHA, dtype=np.float64))
     m = 0.055 * np.maximum(u - 8.0, 0.0) - 0.0025 * np.maximum(u - 8.0, 0.0) ** 2
-    m += 3.4 * bump(anti, 3.2) * (0.75 + 0.25 * np.cos(2.0 * (at - 0.35)))
+    m += 3.4 * bump(anti, 3.2) * (0.75 + 0.25 * np.cos(2.0 * (parameter - 0.35)))
     m += 2.0 * bump(crus, 2.4) * ramp(u, 3.0, 8.0)
     m -= 10.0 * ramp(bowl, 10.2, 1.5) * ramp(anti, 0.0, 6.5)
-    m -= 2.8 * bump(np.hypot(u - 10.0, (v - 18.5) * 1.25), 3.6)  # triangular hollow
+    m -= 2.8 * bump(np.hypot(u - 10.0, (v - 18.5) * 1.25), 3.6)  # triangular fossa
     m -= 1.2 * ramp(v, -19.0, -28.0)
     return np.asarray(m)
 
 
 def ear(p: Array) -> Array:
-    """Give the distance to the ear alone, both sides folded onto one."""
+    """Return the distance to the ears alone; points of both sides are mapped onto one ear."""
     e = to_ear(p)
     uv = e[:, :2]
     outline = spline(_OUTLINE, 72, closed=True)
@@ -130,7 +130,7 @@ def ear(p: Array) -> Array:
 
 
 def add_ears(f: Array, p: Array) -> Array:
-    """Fuse both ears with the head, keeping the gap behind them open."""
+    """Return the union of the head and both ears; the gap behind the ears stays open."""
     near = within(p * [0, 1, 1] + np.abs(p) * [1, 0, 0], (52, -50, -55), (112, 42, 25))
     out = f.copy()
     q = p[near]

@@ -1,4 +1,4 @@
-"""Nose, closed eyes, lips and the soft relief of the face, laid over the large forms."""
+"""Nose, closed eyes, lips and soft relief of the face, added to the large forms."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ PUPIL_X_MM = 31.5
 
 
 def _both(p: Array) -> Array:
-    """Points folded onto the +X half, with a soft fold so that no crease shows at X = 0."""
+    """Return points mirrored to the +X half, smoothly at X = 0, where a crease would be visible."""
     s = p.copy()
     s[:, 0] = np.sqrt(p[:, 0] ** 2 + 0.25)
     return s
 
 
 def relief_mm(p: Array) -> Array:
-    """Outward displacement of the base: muscle, fat and bone forms of 1-4 mm."""
+    """Return the outward displacement of 1-4 mm by muscle, fat and bone."""
     x, y, z = np.abs(p[:, 0]), p[:, 1], p[:, 2]
     front = ramp(z, 20.0, 50.0)
 
@@ -86,7 +86,7 @@ def _nostrils(p: Array) -> Array:
 
 
 def add_nose(f: Array, p: Array) -> Array:
-    """Fuse the nose with the face, then hollow the nostrils (walls of 2-4 mm)."""
+    """Return the union of face and nose, without the nostrils, whose walls are 2-4 mm thick."""
     near = within(p, (-45, -75, 50), (45, 40, 140))
     q = p[near]
     s = _both(q)
@@ -111,8 +111,8 @@ def add_nose(f: Array, p: Array) -> Array:
         ],
         28,
     )
-    gap, at = along(s, crease)
-    g = g + 1.35 * bump(gap, 1.6) * np.sin(np.pi * np.clip(at, 0.0, 1.0)) ** 0.6
+    gap, parameter = along(s, crease)
+    g = g + 1.35 * bump(gap, 1.6) * np.sin(np.pi * np.clip(parameter, 0.0, 1.0)) ** 0.6
     g = smooth_subtraction(g, _nostrils(q), 1.6)
     out = f.copy()
     out[near] = g
@@ -120,19 +120,19 @@ def add_nose(f: Array, p: Array) -> Array:
 
 
 def lash_height_mm(x: Array) -> Array:
-    """Height ``y`` of the closed lid line at a distance ``x`` from the midline."""
+    """Return the height ``y`` of the line of the closed lids at a distance ``x`` from the midline."""
     t = (x - PUPIL_X_MM) / 14.8
     return np.asarray(-5.6 + 4.3 * t**2 + 0.7 * t + 0.3 * t**3)
 
 
 def fold_height_mm(x: Array) -> Array:
-    """Height ``y`` of the fold of the upper lid."""
+    """Return the height ``y`` of the fold of the upper lid at a distance ``x`` from the midline."""
     t = (x - PUPIL_X_MM) / 16.0
     return np.asarray(7.2 - 5.0 * t**2 + 0.2 * t)
 
 
 def add_eyes(f: Array, p: Array) -> Array:
-    """Lay closed lids over the eyeballs."""
+    """Return the face with eyeballs under closed lids."""
     near = within(p, (-60, -30, 40), (60, 35, 100))
     q = p[near]
     s = _both(q)
@@ -161,7 +161,7 @@ def add_eyes(f: Array, p: Array) -> Array:
 
 
 def lip_curves_mm(x: Array) -> tuple[Array, Array, Array]:
-    """Heights of the upper border, the mouth line and the lower border at ``|x|``."""
+    """Return the heights of the upper border, the mouth line and the lower border at ``|x|``."""
     t = np.clip(np.abs(x) / 25.5, 0.0, 1.0)
     line = -69.0 - 0.9 * bump(t, 0.16) + 0.7 * bump(t - 0.32, 0.14) - 0.8 * t**3
     open_up = np.maximum(1.0 - t**1.7, 0.0) ** 0.8
@@ -172,7 +172,7 @@ def lip_curves_mm(x: Array) -> tuple[Array, Array, Array]:
 
 
 def add_lips(f: Array, p: Array) -> Array:
-    """Lips, philtrum and the line of the mouth."""
+    """Return the face with lips, philtrum and the line of the mouth."""
     near = within(p, (-45, -100, 55), (45, -40, 125))
     q = p[near]
     x, y = np.sqrt(q[:, 0] ** 2 + 0.25), q[:, 1]
@@ -180,7 +180,7 @@ def add_lips(f: Array, p: Array) -> Array:
     t = np.clip(x / 25.5, 0.0, 1.3)
     fade = ramp(t, 1.06, 0.8)
     g = f[near]
-    # Bodies of the lips: tubes that swell towards the middle.
+    # Bodies of the lips: tubes that are thicker in the middle.
     high = sweep(
         np.column_stack([x, y, q[:, 2]]),
         [(0, -66.0, 93.6), (6, -65.4, 93.3), (13, -66.4, 89.9), (20, -68.3, 85.2), (25, -69.6, 80)],

@@ -1,8 +1,8 @@
 """Signed distance primitives and the operators that blend them.
 
-Every field takes points ``(N, 3)`` in millimetres and gives ``(N,)`` signed distances in
-millimetres, negative inside.  Ellipsoids and blends are first-order distances: the zero set is
-exact, the values away from it are bounds good enough for marching cubes and Newton steps.
+Every field maps points ``(N, 3)`` in mm to signed distances ``(N,)`` in mm, negative inside. Ellipsoids
+and blends are first-order distances: the zero set is exact, and values away from it are accurate enough
+for marching cubes and Newton steps.
 """
 
 from __future__ import annotations
@@ -18,23 +18,23 @@ Field = Callable[[Array], Array]
 
 
 def smooth_union(a: Array, b: Array, width_mm: float) -> Array:
-    """Union of two fields with a fillet about ``width_mm`` wide (polynomial blend)."""
+    """Return the union of two fields, with a fillet of about ``width_mm`` (polynomial blend)."""
     h = np.maximum(width_mm - np.abs(a - b), 0.0)
     return np.asarray(np.minimum(a, b) - h * h * (0.25 / width_mm))
 
 
 def smooth_intersection(a: Array, b: Array, width_mm: float) -> Array:
-    """Intersection of two fields with a rounded edge about ``width_mm`` wide."""
+    """Return the intersection of two fields, with an edge rounded by about ``width_mm``."""
     return -smooth_union(-a, -b, width_mm)
 
 
 def smooth_subtraction(a: Array, b: Array, width_mm: float) -> Array:
-    """Take ``b`` away from ``a``, the rim rounded over about ``width_mm``."""
+    """Return field ``a`` without field ``b``, with a rim rounded by about ``width_mm``."""
     return -smooth_union(-a, b, width_mm)
 
 
 def rotation(x_deg: float = 0.0, y_deg: float = 0.0, z_deg: float = 0.0) -> Array:
-    """Rotation matrix ``(3, 3)``: first about X, then Y, then Z, angles in degrees."""
+    """Return the matrix ``(3, 3)`` of rotations about X, then Y, then Z, in degrees."""
     cx, cy, cz = np.cos(np.radians([x_deg, y_deg, z_deg]))
     sx, sy, sz = np.sin(np.radians([x_deg, y_deg, z_deg]))
     rx = np.array([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
@@ -46,7 +46,7 @@ def rotation(x_deg: float = 0.0, y_deg: float = 0.0, z_deg: float = 0.0) -> Arra
 def ellipsoid(
     p: Array, centre_mm: ArrayLike, radii_mm: ArrayLike, turn: Array | None = None
 ) -> Array:
-    """Ellipsoid with semi-axes ``radii_mm``, its axes turned by the matrix ``turn``."""
+    """Return the distance to an ellipsoid with semi-axes ``radii_mm``, rotated by the matrix ``turn``."""
     q = p - np.asarray(centre_mm, dtype=np.float64)
     if turn is not None:
         q = q @ turn
@@ -57,14 +57,14 @@ def ellipsoid(
 
 
 def sphere(p: Array, centre_mm: ArrayLike, radius_mm: float) -> Array:
-    """Sphere."""
+    """Return the distance to a sphere."""
     return np.asarray(np.linalg.norm(p - np.asarray(centre_mm), axis=1) - radius_mm)
 
 
 def round_cone(
     p: Array, a_mm: ArrayLike, b_mm: ArrayLike, radius_a_mm: float, radius_b_mm: float
 ) -> Array:
-    """Capsule whose radius goes linearly from ``radius_a_mm`` at A to ``radius_b_mm`` at B."""
+    """Return the distance to a capsule whose radius changes linearly from A to B."""
     a, b = np.asarray(a_mm, dtype=np.float64), np.asarray(b_mm, dtype=np.float64)
     axis = b - a
     t = np.clip((p - a) @ axis / (axis @ axis), 0.0, 1.0)
@@ -73,9 +73,9 @@ def round_cone(
 
 
 def spline(knots: ArrayLike, samples: int, *, closed: bool = False) -> Array:
-    """Sample a cubic spline through ``knots`` ``(K, D)`` at ``samples`` points ``(samples, D)``.
+    """Return ``samples`` points ``(samples, D)`` of a cubic spline through ``knots`` ``(K, D)``.
 
-    The parameter is centripetal, so that unevenly spaced knots do not overshoot.
+    The parameterization is centripetal, so that unevenly spaced knots do not overshoot.
     """
     k = np.asarray(knots, dtype=np.float64)
     if closed:
@@ -87,32 +87,32 @@ def spline(knots: ArrayLike, samples: int, *, closed: bool = False) -> Array:
 
 
 def along(points: Array, polyline: Array) -> tuple[Array, Array]:
-    """Distance ``(N,)`` to a polyline ``(K, D)`` and the parameter 0..1 ``(N,)`` of its foot."""
-    best = np.full(len(points), np.inf)
-    where = np.zeros(len(points))
+    """Return the distance ``(N,)`` to a polyline ``(K, D)``, and the parameter 0..1 of the nearest point."""
+    squared = np.full(len(points), np.inf)
+    parameter = np.zeros(len(points))
     n = len(polyline) - 1
     for i in range(n):
         a, axis = polyline[i], polyline[i + 1] - polyline[i]
         q = points - a
         t = np.clip(q @ axis / max(float(axis @ axis), 1e-12), 0.0, 1.0)
         d = np.sum((q - t[:, None] * axis) ** 2, axis=1)
-        nearer = d < best
-        best = np.where(nearer, d, best)
-        where = np.where(nearer, (i + t) / n, where)
-    return np.sqrt(best), where
+        nearer = d < squared
+        squared = np.where(nearer, d, squared)
+        parameter = np.where(nearer, (i + t) / n, parameter)
+    return np.sqrt(squared), parameter
 
 
 def sweep(p: Array, knots_mm: ArrayLike, radii_mm: Sequence[float], samples: int = 24) -> Array:
-    """Tube along a spline through ``knots_mm`` ``(K, 3)`` with radii given at the knots."""
+    """Return the distance to a tube along a spline through ``knots_mm`` ``(K, 3)``, with a radius at each."""
     table = np.column_stack([np.asarray(knots_mm, dtype=np.float64), np.asarray(radii_mm)])
     curve = spline(table, samples)
-    gap, where = along(p, curve[:, :3])
-    radius = np.interp(where, np.linspace(0.0, 1.0, samples), curve[:, 3])
+    gap, parameter = along(p, curve[:, :3])
+    radius = np.interp(parameter, np.linspace(0.0, 1.0, samples), curve[:, 3])
     return np.asarray(gap - radius)
 
 
 def polygon(points: Array, outline: Array) -> Array:
-    """Signed distance ``(N,)`` in the plane to a closed polygon ``(K, 2)``, negative inside."""
+    """Return the signed distance ``(N,)`` to a closed polygon ``(K, 2)`` in the plane, negative inside."""
     gap, _ = along(points, np.concatenate([outline, outline[:1]]))
     inside = np.zeros(len(points), dtype=bool)
     x, y = points[:, 0], points[:, 1]
@@ -124,16 +124,16 @@ def polygon(points: Array, outline: Array) -> Array:
 
 
 def bump(distance: Array, width_mm: float) -> Array:
-    """Gaussian of a distance: 1 at zero, ``exp(-1/2)`` at ``width_mm``."""
+    """Return a Gaussian of a distance: 1 at zero, ``exp(-1/2)`` at ``width_mm``."""
     return np.asarray(np.exp(-0.5 * (distance / width_mm) ** 2))
 
 
 def ramp(value: Array, low: float, high: float) -> Array:
-    """Smoothstep from 0 at ``low`` to 1 at ``high`` (``low > high`` gives a falling step)."""
+    """Return a smoothstep from 0 at ``low`` to 1 at ``high``; it falls if ``low > high``."""
     t = np.clip((value - low) / (high - low), 0.0, 1.0)
     return np.asarray(t * t * (3.0 - 2.0 * t))
 
 
 def within(p: Array, low_mm: ArrayLike, high_mm: ArrayLike) -> NDArray[np.bool_]:
-    """Which points ``(N,)`` lie in an axis-aligned box."""
+    """Return whether each point ``(N,)`` lies in an axis-aligned box."""
     return np.asarray(np.all((p > np.asarray(low_mm)) & (p < np.asarray(high_mm)), axis=1))

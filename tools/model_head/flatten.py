@@ -1,4 +1,4 @@
-"""Flip-free flattening of one chart by the symmetric Dirichlet energy."""
+"""Flattening of one chart without flipped triangles, by the symmetric Dirichlet energy."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .mesh import Faces
 
 
 def _operators(p: Array, faces: Faces, scale: Array) -> tuple[csr_matrix, csr_matrix, Array]:
-    """Gradient operators ``(F, V)`` in each triangle's own plane, and rest areas ``(F,)``."""
+    """Return the gradient operators ``(F, V)`` in the triangles' planes, and the rest areas ``(F,)``."""
     a, b, c = (p[faces[:, k]] for k in range(3))
     e1, e2 = (b - a) * scale[:, None], (c - a) * scale[:, None]
     length = np.linalg.norm(e1, axis=1)
@@ -30,7 +30,7 @@ def _operators(p: Array, faces: Faces, scale: Array) -> tuple[csr_matrix, csr_ma
 
 
 def _jacobian(dx: csr_matrix, dy: csr_matrix, uv: Array) -> Array:
-    """Jacobians ``(F, 2, 2)``, columns the images of the rest triangle's two axes."""
+    """Return Jacobians ``(F, 2, 2)``; their columns are the images of the axes of the rest triangles."""
     return np.stack([dx @ uv, dy @ uv], axis=2)
 
 
@@ -43,7 +43,7 @@ def _energy(jac: Array, weight: Array) -> float:
 
 
 def _first_flip(uv: Array, move: Array, faces: Faces) -> float:
-    """Largest step before any triangle collapses."""
+    """Return the length of the step at which the first triangle collapses."""
     e1, e2 = (uv[faces[:, k]] - uv[faces[:, 0]] for k in (1, 2))
     d1, d2 = (move[faces[:, k]] - move[faces[:, 0]] for k in (1, 2))
     a = d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]
@@ -52,7 +52,7 @@ def _first_flip(uv: Array, move: Array, faces: Faces) -> float:
     root = np.sqrt(np.maximum(b * b - 4.0 * a * c, 0.0))
     real = b * b - 4.0 * a * c >= 0.0
     with np.errstate(divide="ignore", invalid="ignore"):
-        # the numerically stable pair of roots
+        # both roots, by the numerically stable formula
         q = -0.5 * (b + np.where(b >= 0.0, root, -root))
         t = np.stack([q / a, c / q])
     t = np.where(real & np.isfinite(t) & (t > 0.0), t, np.inf)
@@ -60,11 +60,11 @@ def _first_flip(uv: Array, move: Array, faces: Faces) -> float:
 
 
 def flatten(p: Array, faces: Faces, scale: Array, start: Array, rounds: int) -> Array:
-    """Descend from the flip-free ``start`` ``(V, 2)``; returns coordinates in scaled millimetres.
+    """Return flat coordinates ``(V, 2)`` in scaled mm, from a ``start`` ``(V, 2)`` without flips.
 
-    ``scale`` ``(F,)`` enlarges the rest triangles.  Each round minimises the quadratic stand-in of
-    scalable locally injective mappings (Rabinovich et al. 2017) and searches along the way to its
-    minimum, never as far as the first flip.
+    ``scale`` ``(F,)`` enlarges the rest triangles. Each round minimizes the quadratic proxy of scalable
+    locally injective mappings (Rabinovich et al. 2017), followed by a line search that ends before the
+    first flip.
     """
     dx, dy, area = _operators(p, faces, scale)
     weight = area / area.sum()
@@ -77,24 +77,24 @@ def flatten(p: Array, faces: Faces, scale: Array, start: Array, rounds: int) -> 
     count = len(p)
     for _ in range(rounds):
         left, sigma, right = np.linalg.svd(jac)
-        near = left @ right
+        nearest_rotation = left @ right
         s3 = np.maximum(sigma, 1e-6)
         gap = np.where(np.abs(s3 - 1.0) < 1e-6, 1.0, s3 - 1.0)
         pull = np.where(np.abs(s3 - 1.0) < 1e-6, 4.0, (s3 - s3**-3.0) / gap)
         metric = left @ (np.minimum(pull, 1e9)[:, :, None] * np.swapaxes(left, 1, 2))
         metric *= weight[:, None, None]
-        want = metric @ near
+        target = metric @ nearest_rotation
         blocks = [[csr_matrix((count, count)) for _ in range(2)] for _ in range(2)]
         right_side = np.zeros((2, count))
         for d, column in ((dx, 0), (dy, 1)):
             for i in range(2):
-                right_side[i] += d.T @ want[:, i, column]
+                right_side[i] += d.T @ target[:, i, column]
                 for j in range(2):
                     blocks[i][j] = blocks[i][j] + d.T @ d.multiply(metric[:, i, j][:, None])
         system = bmat(blocks).tocsc()
         system = system + 1e-9 * system.diagonal().mean() * identity(2 * count, format="csc")
-        goal = splu(system).solve(right_side.ravel()).reshape(2, count).T
-        move = goal - uv
+        minimum = splu(system).solve(right_side.ravel()).reshape(2, count).T
+        move = minimum - uv
         move -= move.mean(axis=0)
         step = min(1.0, 0.8 * _first_flip(uv, move, faces))
         while True:
@@ -105,8 +105,8 @@ def flatten(p: Array, faces: Faces, scale: Array, start: Array, rounds: int) -> 
             step *= 0.5
         if step < 1e-9:
             break
-        done = value - new_value < 1e-4 * value
+        converged = value - new_value < 1e-4 * value
         uv, jac, value = uv + step * move, trial, new_value
-        if done:
+        if converged:
             break
     return uv

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import json
-import struct
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+
+from skinshade._core.files import atomic_write
+from skinshade.gltf.write import glb_bytes
 
 _FLOAT, _UNSIGNED_BYTE, _UNSIGNED_SHORT, _UNSIGNED_INT = 5126, 5121, 5123, 5125
 _VERTICES, _INDICES = 34962, 34963
@@ -21,33 +22,33 @@ def write_glb(
     regions: NDArray[np.uint8],
     faces: NDArray[np.int64],
 ) -> int:
-    """Write ``path`` in one move and give its size in bytes."""
+    """Write a file, which is replaced when the new one is complete; return its size in bytes."""
     short = len(positions_m) <= 65535
-    index = faces.astype("<u2" if short else "<u4").ravel()
+    indices = faces.astype("<u2" if short else "<u4").ravel()
     low, high = positions_m.min(axis=0).tolist(), positions_m.max(axis=0).tolist()
     arrays = [
         (positions_m.astype("<f4"), _FLOAT, "VEC3", {"min": low, "max": high}),
         (normals.astype("<f4"), _FLOAT, "VEC3", {}),
         (uv.astype("<f4"), _FLOAT, "VEC2", {}),
         (regions.astype("u1"), _UNSIGNED_BYTE, "VEC4", {"normalized": True}),
-        (index, _UNSIGNED_SHORT if short else _UNSIGNED_INT, "SCALAR", {}),
+        (indices, _UNSIGNED_SHORT if short else _UNSIGNED_INT, "SCALAR", {}),
     ]
     blob = b""
     views, accessors = [], []
-    for number, (data, component, kind, more) in enumerate(arrays):
-        raw = data.tobytes()
-        target = _INDICES if number == 4 else _VERTICES
+    for number, (values, component, kind, more) in enumerate(arrays):
+        raw = values.tobytes()
+        target = _INDICES if kind == "SCALAR" else _VERTICES
         views.append(
             {"buffer": 0, "byteOffset": len(blob), "byteLength": len(raw), "target": target}
         )
         accessors.append(
-            {"bufferView": number, "componentType": component, "count": len(data), "type": kind}
+            {"bufferView": number, "componentType": component, "count": len(values), "type": kind}
             | more
         )
         blob += raw + b"\0" * (-len(raw) % 4)
     attributes = {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "_REGION": 3}
     primitive = {"attributes": attributes, "indices": 4, "material": 0}
-    tree = {
+    document = {
         "asset": {"version": "2.0", "generator": "skinshade tools/model_head"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
@@ -67,14 +68,8 @@ def write_glb(
         "bufferViews": views,
         "accessors": accessors,
     }
-    text = json.dumps(tree, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    total = 12 + 8 + len(text) + 8 + len(blob)
-    out = struct.pack("<4sII", b"glTF", 2, total)
-    out += struct.pack("<I4s", len(text), b"JSON") + text
-    out += struct.pack("<I4s", len(blob), b"BIN\0") + blob
+    data = glb_bytes(document, blob)
     path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(path.name + ".partial")
-    partial.write_bytes(out)
-    partial.replace(path)
-    return total
+    with atomic_write(path) as temporary:
+        temporary.write_bytes(data)
+    return len(data)

@@ -1,4 +1,4 @@
-"""The whole head as one field."""
+"""Signed distance field of the whole head."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .skull import bust_cut, jaw_fillet_mm, mask, neck
 
 
 def unevenness(p: Array) -> Array:
-    """Shift ``(N, 3)`` of 1-2 mm by which the two halves differ, as in every grown face."""
+    """Return the shift ``(N, 3)`` of 1-2 mm that makes the halves of the face differ, as in a real one."""
     x, y, z = p[:, 0], p[:, 1], p[:, 2]
     face = np.exp(-0.5 * ((z - 85.0) / 45.0) ** 2)
     dx = face * (
@@ -37,19 +37,19 @@ def _without_ears(p: Array) -> Array:
 
 
 def rest_of_head(points_mm: Array) -> Array:
-    """Give the head without its ears and without the cut at the shoulders."""
+    """Return the distance to the head without the ears and without the cut at the shoulders."""
     return _without_ears(points_mm - unevenness(points_mm))
 
 
 def head(points_mm: Array) -> Array:
-    """Signed distance ``(N,)`` in millimetres to the bust, negative inside, at ``(N, 3)``."""
+    """Return the signed distance ``(N,)`` to the bust, mm, negative inside, of points ``(N, 3)``."""
     p = points_mm - unevenness(points_mm)
     f = add_ears(_without_ears(p), p)
     return smooth_intersection(f, bust_cut(p), 9.0)
 
 
 def gradient(points_mm: Array, step_mm: float = 0.02) -> Array:
-    """Central-difference gradient ``(N, 3)`` of :func:`head`."""
+    """Return the gradient ``(N, 3)`` of `head` by central differences."""
     offsets = np.array([[1, -1, -1], [-1, -1, 1], [-1, 1, -1], [1, 1, 1]], dtype=np.float64)
     total = np.zeros_like(points_mm)
     for o in offsets:

@@ -1,4 +1,4 @@
-"""All charts of the head, upright and packed into the unit square."""
+"""Texture coordinates: all charts of the head, flattened, upright, and packed into the unit square."""
 
 from __future__ import annotations
 
@@ -22,10 +22,18 @@ _GRID = 512
 
 @dataclass(frozen=True)
 class Unwrapped:
-    """A mesh split along its seams.
+    """A mesh cut along its seams.
 
-    ``source (N,)``: welded vertex of every vertex; ``faces (F, 3)``; ``uv (N, 2)`` in 0..1 with v
-    down; ``chart (N,)``: chart number.
+    Attributes
+    ----------
+    source
+        (N,) vertex of the welded mesh at every vertex.
+    faces
+        (F, 3) indices.
+    uv
+        (N, 2) texture coordinates, 0..1, v down.
+    chart
+        (N,) number of the chart.
     """
 
     source: Faces
@@ -35,7 +43,7 @@ class Unwrapped:
 
 
 def _upright(p: Array, uv: Array, chart: int) -> Array:
-    """Turn a chart so that up on the head is up in the picture; the origin goes to its corner."""
+    """Return a chart rotated so that up on the head is up in the texture, with its lower corner at 0, 0."""
     if chart == HEAD:
         target, used = p[:, :2], p[:, 2] > 60.0
     elif chart == BASE:
@@ -44,7 +52,7 @@ def _upright(p: Array, uv: Array, chart: int) -> Array:
         target, used = to_ear(p)[:, :2], np.ones(len(p), dtype=bool)
     a, b = uv[used] - uv[used].mean(axis=0), target[used] - target[used].mean(axis=0)
     if chart not in (HEAD, BASE):
-        # only the upward direction counts: the flat coordinates are mirrored on some ears
+        # only the upward direction is fitted: the flat coordinates of some ears are mirrored
         up = np.linalg.lstsq(a, b[:, 1], rcond=None)[0]
         angle = np.pi / 2 - np.arctan2(up[1], up[0])
     else:
@@ -55,7 +63,7 @@ def _upright(p: Array, uv: Array, chart: int) -> Array:
 
 
 def _footprint(uv: Array, faces: Faces, cell: float) -> NDArray[np.bool_]:
-    """Cells touched by a chart, ``(rows, columns)``, bottom row first."""
+    """Return which cells ``(rows, columns)`` a chart covers, bottom row first."""
     size = np.ceil(uv.max(axis=0) / cell).astype(int) + 1
     out = np.zeros((size[1], size[0]), dtype=bool)
     corner = uv[faces]
@@ -63,33 +71,34 @@ def _footprint(uv: Array, faces: Faces, cell: float) -> NDArray[np.bool_]:
     for i in range(steps + 1):
         for j in range(steps + 1 - i):
             w = np.array([i, j, steps - i - j]) / steps
-            at = (np.einsum("k,fkd->fd", w, corner) / cell).astype(int)
-            out[at[:, 1], at[:, 0]] = True
+            cells = (np.einsum("k,fkd->fd", w, corner) / cell).astype(int)
+            out[cells[:, 1], cells[:, 0]] = True
     return out
 
 
 def _pack(charts: list[tuple[Array, Faces]]) -> tuple[list[Array], float]:
-    """Offsets of the charts and the side of the smallest square tried that holds them all."""
+    """Return the offsets of the charts, and the side of the smallest square tried that contains them."""
     side = max(float(uv.max()) for uv, _ in charts) * 1.012
     ball = np.hypot(*np.mgrid[-2:3, -2:3]) <= 2.3
     while True:
         cell = side / _GRID
         pad = int(np.ceil(PADDING_TEXELS * _GRID / 2048.0))
-        taken = np.ones((_GRID, _GRID), dtype=np.float64)
-        taken[pad:-pad, pad:-pad] = 0.0
+        occupied = np.ones((_GRID, _GRID), dtype=np.float64)
+        occupied[pad:-pad, pad:-pad] = 0.0
         offsets = []
         for uv, faces in charts:
-            foot: NDArray[np.bool_] = np.pad(_footprint(uv, faces, cell), pad + 1)
+            footprint: NDArray[np.bool_] = np.pad(_footprint(uv, faces, cell), pad + 1)
             for _ in range((pad + 2) // 2):
-                foot = binary_dilation(foot, ball)
-            if foot.shape[0] > _GRID or foot.shape[1] > _GRID:
+                footprint = binary_dilation(footprint, ball)
+            height, width = footprint.shape
+            if height > _GRID or width > _GRID:
                 break
-            clash = fftconvolve(taken, foot[::-1, ::-1].astype(np.float64), mode="valid")
-            free = np.argwhere(clash < 0.5)
+            overlap = fftconvolve(occupied, footprint[::-1, ::-1].astype(np.float64), mode="valid")
+            free = np.argwhere(overlap < 0.5)
             if len(free) == 0:
                 break
             row, column = free[np.argmin(free.sum(axis=1))]
-            taken[row : row + foot.shape[0], column : column + foot.shape[1]] += foot
+            occupied[row : row + height, column : column + width] += footprint
             offsets.append((np.array([column, row]) + pad + 1.0) * cell)
         else:
             return offsets, side
@@ -97,22 +106,22 @@ def _pack(charts: list[tuple[Array, Faces]]) -> tuple[list[Array], float]:
 
 
 def unwrap(vertices: Array, faces: Faces) -> Unwrapped:
-    """Cut, flatten and pack a welded mesh in millimetres."""
+    """Cut, flatten and pack a welded mesh, mm."""
     label = label_faces(vertices, faces)
     pieces = []
     for chart in np.unique(label):
         source, local = np.unique(faces[label == chart], return_inverse=True)
         local = local.reshape(-1, 3)
         if chart == HEAD:
-            local, again = cut_up_the_back(vertices[source], local)
-            source = source[again]
+            local, original = cut_up_the_back(vertices[source], local)
+            source = source[original]
         p = vertices[source]
-        whole, closed = close_holes(p, local)
+        points, closed = close_holes(p, local)
         if chart == HEAD:
-            scale = texel_scale(whole[closed].mean(axis=1))
+            scale = texel_scale(points[closed].mean(axis=1))
         else:
             scale = np.full(len(closed), 0.5 if chart == BASE else EAR_SCALE)
-        flat = flatten(whole, closed, scale, tutte(closed, len(whole)), 80)[: len(p)]
+        flat = flatten(points, closed, scale, tutte(closed, len(points)), 80)[: len(p)]
         pieces.append((chart, source, local, _upright(p, flat, chart)))
     offsets, side = _pack([(uv, local) for _, _, local, uv in pieces])
     first = np.cumsum([0] + [len(s) for _, s, _, _ in pieces])

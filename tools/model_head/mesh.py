@@ -1,4 +1,4 @@
-"""From the field to triangles: narrow-band marching cubes, adaptive remeshing, projection."""
+"""Meshing of a field: narrow-band marching cubes, adaptive remeshing, projection."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ Faces = NDArray[np.int64]
 
 
 def evaluate(field: Field, points_mm: Array) -> Array:
-    """Evaluate the field at many points, in pieces that stay in cache."""
+    """Return a field at many points, evaluated in chunks that fit into the cache."""
     parts = [field(points_mm[i : i + _CHUNK]) for i in range(0, len(points_mm), _CHUNK)]
     return np.concatenate(parts)
 
 
 def polygonise(field: Field, step_mm: float, *, block: int = 8) -> tuple[Array, Faces]:
-    """Marching cubes of the zero set, evaluating only blocks that can meet it.
+    """Return vertices ``(V, 3)``, mm, and faces ``(F, 3)`` of the zero set by marching cubes.
 
-    Returns vertices ``(V, 3)`` in millimetres and faces ``(F, 3)``, outward counter-clockwise.
+    Faces are counter-clockwise seen from outside. Only blocks that the zero set can cross are evaluated.
     """
     coarse_mm = step_mm * block
     counts = np.ceil((HIGH_MM - LOW_MM) / coarse_mm).astype(int)
@@ -53,26 +53,26 @@ def polygonise(field: Field, step_mm: float, *, block: int = 8) -> tuple[Array, 
     inner = np.stack(np.meshgrid(*[np.arange(block)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     corners = np.stack(np.unravel_index(np.flatnonzero(keep), counts), axis=1) * block
     for i in range(0, len(corners), 64):
-        at = (corners[i : i + 64, None, :] + inner[None]).reshape(-1, 3)
-        volume[at[:, 0], at[:, 1], at[:, 2]] = evaluate(field, at * step_mm + LOW_MM)
+        cells = (corners[i : i + 64, None, :] + inner[None]).reshape(-1, 3)
+        volume[cells[:, 0], cells[:, 1], cells[:, 2]] = evaluate(field, cells * step_mm + LOW_MM)
     cubes: Callable[..., tuple[Array, Faces, Array, Array]] = marching_cubes
     vertices, faces, _, _ = cubes(volume, 0.0)
     return vertices.astype(np.float64) * step_mm + LOW_MM, faces.astype(np.int64)
 
 
 def unit(v: Array) -> Array:
-    """Vectors ``(N, 3)`` divided by their lengths."""
+    """Return vectors ``(N, 3)`` divided by their lengths."""
     return np.asarray(v / np.maximum(np.linalg.norm(v, axis=1, keepdims=True), 1e-12))
 
 
 def face_normals(vertices: Array, faces: Faces) -> Array:
-    """Unnormalised normals ``(F, 3)``, twice the area long."""
+    """Return normals ``(F, 3)`` whose lengths are twice the areas."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     return np.asarray(np.cross(b - a, c - a))
 
 
 def largest_component(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
-    """Drop all but the connected piece with the most vertices."""
+    """Return the connected component with the most vertices."""
     n = len(vertices)
     ones = np.ones(len(faces) * 2, dtype=np.int8)
     pairs = np.concatenate([faces[:, :2], faces[:, 1:]])
@@ -89,7 +89,7 @@ def largest_component(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
 def project(
     field: Field, gradient: Field, vertices: Array, *, steps: int = 4, reach_mm: float = 0.6
 ) -> Array:
-    """Move vertices ``(V, 3)`` onto the zero set by damped Newton steps."""
+    """Return vertices ``(V, 3)`` moved onto the zero set by damped Newton steps."""
     v = vertices.copy()
     for _ in range(steps):
         g = evaluate(gradient, v)
@@ -101,7 +101,7 @@ def project(
 
 
 def edge_length_mm(p: Array) -> Array:
-    """Wanted edge length: short on ears, nose, lips and lids, long on cranium and neck."""
+    """Return the target edge length: short on ears, nose, lips and lids, long on cranium and neck."""
     x, y, z = np.abs(p[:, 0]), p[:, 1], p[:, 2]
     face = np.exp(-0.5 * ((x / 48.0) ** 4 + ((y + 40.0) / 72.0) ** 4)) * ramp(z, 0.0, 55.0)
     size = 6.6 - 3.1 * face
@@ -119,9 +119,9 @@ def edge_length_mm(p: Array) -> Array:
 def remesh(
     vertices: Array, faces: Faces, field: Field, gradient: Field, scale: float
 ) -> tuple[Array, Faces]:
-    """Give isotropic triangles of the wanted sizes times ``scale``, vertices on the zero set.
+    """Return isotropic triangles of the target sizes times ``scale``, with vertices on the zero set.
 
-    One pass per size, each freezing what is already coarse enough for its place.
+    There is one pass for each size; it freezes the vertices whose target edge length is shorter.
     """
     v, f = vertices, faces.astype(np.int32)
     for length in (1.15, 1.35, 1.7, 2.15, 2.75, 3.5, 4.4, 5.4, 6.6):
@@ -135,7 +135,7 @@ def remesh(
 
 
 def relax(v: Array, f: Faces, field: Field, gradient: Field, rounds: int = 3) -> Array:
-    """Slide vertices within the surface towards the middle of their neighbours."""
+    """Return vertices moved along the surface towards the mean of their neighbours."""
     n = len(v)
     i = np.concatenate([f[:, 0], f[:, 1], f[:, 2]])
     j = np.concatenate([f[:, 1], f[:, 2], f[:, 0]])

@@ -1,4 +1,4 @@
-"""Where the head is lip, brow, thin cartilage or well supplied with blood."""
+"""Weights of lips, brows, thin cartilage and redness on the head."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _BROW = [
 
 
 def thickness_mm(p: Array, normals: Array, limit_mm: float = 12.0) -> Array:
-    """Depth of flesh behind each point along its inward normal, at most ``limit_mm``."""
+    """Return the thickness ``(N,)`` of the head along the inward normals, at most ``limit_mm``."""
     depth = np.full(len(p), limit_mm)
     for step in np.arange(0.6, limit_mm, 0.4)[::-1]:
         outside = evaluate(head, p - normals * step) > 0.0
@@ -30,22 +30,21 @@ def thickness_mm(p: Array, normals: Array, limit_mm: float = 12.0) -> Array:
 
 
 def regions(p: Array, normals: Array) -> Array:
-    """Weights ``(N, 4)`` in 0..1: lips, brow, thin cartilage, redness."""
+    """Return weights ``(N, 4)``, 0..1, of lips, brows, thin cartilage and redness."""
     q = p - unevenness(p)
     x, y, z = np.abs(q[:, 0]), q[:, 1], q[:, 2]
     upper, _, lower = lip_curves_mm(x)
     lips = ramp(upper - y, -0.9, 0.7) * ramp(y - lower, -0.9, 0.7) * ramp(x, 26.5, 23.0)
     lips = lips * ramp(z, 70.0, 76.0)
     curve = spline(_BROW, 32)
-    folded = np.stack([x, y, z], axis=1)
-    gap, at = along(folded, curve[:, :3])
-    half = np.interp(at, np.linspace(0, 1, len(curve)), curve[:, 3])
+    mirrored = np.stack([x, y, z], axis=1)
+    gap, parameter = along(mirrored, curve[:, :3])
+    half = np.interp(parameter, np.linspace(0, 1, len(curve)), curve[:, 3])
     brow = ramp(gap / np.maximum(half, 0.5), 1.25, 0.6) * ramp(z, 50.0, 60.0)
     thin = ramp(thickness_mm(p, normals), 9.0, 4.0)
-    place = np.stack([x, y, z], axis=1)
 
     def spot(centre: tuple[float, float, float], size: tuple[float, float, float]) -> Array:
-        return np.asarray(np.exp(-0.5 * np.sum(((place - centre) / size) ** 2, axis=1)))
+        return np.asarray(np.exp(-0.5 * np.sum(((mirrored - centre) / size) ** 2, axis=1)))
 
     shell = ramp(ear(q), 5.0, 0.8)
     red = 0.55 * spot((44, -27, 68), (17, 15, 24)) + 0.5 * spot((0, -38, 108), (15, 9, 14))

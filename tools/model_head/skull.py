@@ -1,9 +1,9 @@
-"""The large forms: cranium, face mask and jaw as one star-shaped surface, and the neck.
+"""Large forms: cranium, face and jaw as one star-shaped surface, and the neck.
 
-The star-shaped part is a radius over directions from the middle of the head, interpolated by a
-thin-plate spline through half contours written down by hand from published averages of adult
-heads: length 195 mm, breadth 152 mm, bizygomatic breadth 138 mm, bigonial breadth 108 mm, face
-height (nasion to menton) 120 mm, eye line at mid height.
+The star-shaped surface is a radius over directions from the middle of the head: a thin-plate spline
+through half contours, which were drawn by hand to published averages of adult heads (length 195 mm,
+breadth 152 mm, bizygomatic breadth 138 mm, bigonial breadth 108 mm, face height from nasion to menton
+120 mm, eye line at half the height).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from scipy.ndimage import map_coordinates, spline_filter
 
 from .fields import Array, ellipsoid, ramp, round_cone, smooth_union, sweep
 
-# Midline without the nose: height y and depth z, in millimetres, face to +Z.
+# Midline without the nose: height y and depth z, mm; the face looks along +Z.
 MIDLINE_MM = [
     (116, -10),
     (114.5, 12),
@@ -59,7 +59,7 @@ MIDLINE_MM = [
     (-70, -45),
 ]
 
-# Half contours at a height y: (x, z) pairs from near the midline around to the back.
+# Half contours at heights y: (x, z) from near the midline of the face to the back, mm.
 CONTOURS_MM: dict[int, list[tuple[float, float]]] = {
     110: [(12, 32), (24, 22), (31, 4), (33, -14), (28, -34), (15, -47)],
     98: [(18, 56), (34, 46), (45, 29), (51.5, 6), (53, -20), (43, -48), (22, -66)],
@@ -230,7 +230,7 @@ _STEPS = (361, 181)
 
 @cache
 def _radius_table_mm() -> Array:
-    """Radius over azimuth (-180..180°, from +Z) and elevation (-90..90°), sampled every degree."""
+    """Return the radius over azimuth (-180..180°, from +Z) and elevation (-90..90°), one sample a degree."""
     half = [(0.0, y, z) for y, z in MIDLINE_MM]
     half += [(x, y, z) for y, row in CONTOURS_MM.items() for x, z in row]
     points = np.array(half, dtype=np.float64)
@@ -257,26 +257,28 @@ def _radius_table_mm() -> Array:
 
 
 def mask(p: Array) -> Array:
-    """Cranium, face and jaw without nose, lids, lips and ears."""
+    """Return the distance to cranium, face and jaw, without nose, lids, lips and ears."""
     q = p - _CENTRE_MM
     radius = np.linalg.norm(q, axis=1)
     azimuth = np.arctan2(q[:, 0], q[:, 2])
     elevation = np.arcsin(np.clip(q[:, 1] / np.maximum(radius, 1e-9), -1.0, 1.0))
-    at = np.stack(
+    coordinates = np.stack(
         [
             (azimuth / (2 * np.pi) + 0.5) * (_STEPS[0] - 1),
             (elevation / np.pi + 0.5) * (_STEPS[1] - 1),
         ]
     )
-    table = map_coordinates(_radius_table_mm(), at, order=3, mode="nearest", prefilter=False)
+    table = map_coordinates(
+        _radius_table_mm(), coordinates, order=3, mode="nearest", prefilter=False
+    )
     return np.asarray(radius - table)
 
 
 def neck(p: Array) -> Array:
-    """Neck with its muscles, adam's apple and the beginning of the shoulders."""
+    """Return the distance to the neck with its muscles, the larynx, and the upper shoulders."""
     s = p * np.array([1.0, 1.0, 1.0])
     s[:, 0] = np.sqrt(p[:, 0] ** 2 + 4.0)
-    # A column: ellipses whose centre leans forward going up.
+    # A column of ellipses whose centres lie further forward the higher they are.
     y = p[:, 1]
     lift = np.clip((y + 190.0) / 110.0, -0.5, 1.4)
     middle_z = -34.0 + 16.0 * lift
@@ -285,7 +287,7 @@ def neck(p: Array) -> Array:
     dz = p[:, 2] - middle_z
     k = np.sqrt((p[:, 0] / half_x) ** 2 + (dz / half_z) ** 2)
     column = (k - 1.0) * np.minimum(half_x, half_z)
-    # Sternocleidomastoid: from behind the ear down to the pit of the throat.
+    # Sternocleidomastoid: from behind the ear down to the jugular notch.
     muscle = sweep(
         s,
         [(57, -36, -22), (50, -75, -16), (41, -115, -1), (28, -155, 13), (12, -192, 20)],
@@ -311,12 +313,12 @@ def neck(p: Array) -> Array:
 
 
 def bust_cut(p: Array) -> Array:
-    """Give the body that the bust is cut out of: a bowl whose rim falls off below the shoulders."""
+    """Return the distance to the ellipsoid, extended upwards, with which the bust is intersected."""
     q = p.copy()
     q[:, 1] = np.minimum(p[:, 1], -60.0)
     return ellipsoid(q, (0, -60, -20), (118, 146, 160))
 
 
 def jaw_fillet_mm(p: Array) -> Array:
-    """Width of the fillet between jaw and neck: tight under the chin, wide at the nape."""
+    """Return the width of the fillet between jaw and neck: narrow under the chin, wide at the nape."""
     return 6.0 + 26.0 * ramp(-p[:, 2], -30.0, 40.0)

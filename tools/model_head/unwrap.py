@@ -1,9 +1,9 @@
-"""Texture coordinates: cut the head into charts, flatten each without flips, pack them.
+"""Charts of the texture coordinates: where the head is cut, and the starting point of flattening.
 
-Charts: the head (cut up the back to the crown), the front and the back of each ear, the underside
-of the bust.  Flattening starts from Tutte's embedding and descends the symmetric Dirichlet energy,
-whose barrier keeps every triangle the right way round; rest triangles are enlarged on the face, so
-that the face gets more texels.
+The charts are the head (cut along the back up to the crown), the front and the back of each ear, and the
+underside of the bust. Flattening starts from Tutte's embedding and minimizes the symmetric Dirichlet
+energy, whose barrier prevents flipped triangles. Rest triangles are enlarged on the face, which so gets
+more texels.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from .fields import Array, ramp
 from .head import rest_of_head
 from .mesh import Faces, face_normals, unit
 
-HEAD, EAR_FRONT, EAR_BACK, BASE = 0, 1, 3, 5  # ear charts: +0 left (+X), +1 right
+HEAD, EAR_FRONT, EAR_BACK, BASE = 0, 1, 3, 5  # ear charts: left (+X); add 1 for right
 
 
 def _neighbours(faces: Faces) -> Faces:
-    """Pairs ``(E, 2)`` of faces that share an edge."""
+    """Return pairs ``(E, 2)`` of faces that share an edge."""
     edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     owner = np.repeat(np.arange(len(faces)), 3)
     order = np.lexsort((edges[:, 1], edges[:, 0]))
@@ -34,7 +34,7 @@ def _neighbours(faces: Faces) -> Faces:
 
 
 def label_faces(vertices: Array, faces: Faces) -> Faces:
-    """Chart number ``(F,)`` of every face, each chart in one piece."""
+    """Return the chart number ``(F,)`` of every face; every chart is connected."""
     middle = vertices[faces].mean(axis=1)
     normal = unit(face_normals(vertices, faces))
     pairs = _neighbours(faces)
@@ -64,53 +64,53 @@ def label_faces(vertices: Array, faces: Faces) -> Faces:
     label[is_ear & turned] = (EAR_BACK + right)[is_ear & turned]
     under = soften(np.where(middle[:, 1] < -150.0, normal[:, 1], 1.0), 3) < -0.55
     label[under] = BASE
-    return _in_one_piece(label, pairs)
+    return _connected(label, pairs)
 
 
-def _in_one_piece(label: Faces, pairs: Faces) -> Faces:
-    """Give every stray island to the chart around it."""
+def _connected(label: Faces, pairs: Faces) -> Faces:
+    """Return the labels after every island has joined the chart around it."""
     n = len(label)
     for _ in range(8):
         same = pairs[label[pairs[:, 0]] == label[pairs[:, 1]]]
         graph = csr_matrix((np.ones(len(same)), (same[:, 0], same[:, 1])), shape=(n, n))
         count, piece = connected_components(graph, directed=False)
         size = np.bincount(piece)
-        of = np.zeros(count, dtype=np.int64)
-        of[piece] = label
+        chart_of = np.zeros(count, dtype=np.int64)
+        chart_of[piece] = label
         biggest = np.zeros(count, dtype=bool)
-        for chart in np.unique(of):
-            members = np.flatnonzero(of == chart)
+        for chart in np.unique(chart_of):
+            members = np.flatnonzero(chart_of == chart)
             biggest[members[np.argmax(size[members])]] = True
         if biggest.all():
             return label
         votes = np.zeros((count, 6))
         for a, b in ((0, 1), (1, 0)):
-            here, there = pairs[:, a], pairs[:, b]
-            crossing = piece[here] != piece[there]
-            np.add.at(votes, (piece[here[crossing]], label[there[crossing]]), 1.0)
-        votes[np.arange(count), of] = -1.0
-        stray = ~biggest[piece]
-        label = np.where(stray, np.argmax(votes, axis=1)[piece], label)
+            face, neighbour = pairs[:, a], pairs[:, b]
+            crossing = piece[face] != piece[neighbour]
+            np.add.at(votes, (piece[face[crossing]], label[neighbour[crossing]]), 1.0)
+        votes[np.arange(count), chart_of] = -1.0
+        island = ~biggest[piece]
+        label = np.where(island, np.argmax(votes, axis=1)[piece], label)
     return label
 
 
 def boundary_loops(faces: Faces) -> list[Faces]:
-    """Find closed chains of boundary vertices, longest first, oriented as the faces are."""
+    """Return the closed loops of boundary vertices, longest first, oriented as the faces are."""
     half = faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    seen = {(int(a), int(b)) for a, b in half}
-    follow: dict[int, list[int]] = {}
-    for a, b in sorted(seen):
-        if (b, a) not in seen:
-            follow.setdefault(a, []).append(b)
+    directed = {(int(a), int(b)) for a, b in half}
+    successors: dict[int, list[int]] = {}
+    for a, b in sorted(directed):
+        if (b, a) not in directed:
+            successors.setdefault(a, []).append(b)
     loops = []
-    while follow:
-        start = min(follow)
+    while successors:
+        start = min(successors)
         loop = [start]
         while True:
-            targets = follow[loop[-1]]
+            targets = successors[loop[-1]]
             step = targets.pop()
             if not targets:
-                del follow[loop[-1]]
+                del successors[loop[-1]]
             if step == start:
                 break
             loop.append(step)
@@ -119,9 +119,12 @@ def boundary_loops(faces: Faces) -> list[Faces]:
 
 
 def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
-    """Open a chart along the back midline, from its lower rim to the crown.
+    """Cut a chart along the midline of the back, from its lower rim to the crown.
 
-    Returns the faces with new vertex numbers and the source vertex of every number.
+    Returns
+    -------
+    faces, source
+        The faces with new vertex numbers, and the original vertex of every number.
     """
     rim = np.concatenate(boundary_loops(faces))
     low = rim[vertices[rim, 1] < -90.0]
@@ -139,7 +142,7 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
     while path[-1] != start:
         path.append(int(before[0, path[-1]]))
     path.reverse()
-    # Faces left of the path, walked around each path vertex, get copies of its vertices.
+    # Faces to the left of the path get copies of its vertices.
     new_faces = faces.copy()
     source = list(range(n))
     around: dict[int, list[int]] = {}
@@ -149,12 +152,12 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
     on_path = {frozenset(e) for e in pairwise(path)}
     for k, v in enumerate(path[:-1]):
         fan = around[v]
-        ahead = path[k + 1]
-        # the face to the left of the directed edge v -> ahead
+        following = path[k + 1]
+        # the face to the left of the directed edge from v to the next vertex
         seed = next(
             t
             for t in fan
-            if any(faces[t][i] == v and faces[t][(i + 1) % 3] == ahead for i in range(3))
+            if any(faces[t][i] == v and faces[t][(i + 1) % 3] == following for i in range(3))
         )
         chosen, queue = {seed}, [seed]
         while queue:
@@ -174,16 +177,16 @@ def cut_up_the_back(vertices: Array, faces: Faces) -> tuple[Faces, Faces]:
 
 
 def texel_scale(p: Array) -> Array:
-    """Wanted enlargement of the skin at ``p`` ``(N, 3)``: 1.6 on the face, 0.8 at the back."""
+    """Return the enlargement of the texture at points ``(N, 3)``: 1.6 on the face, 0.8 at the back."""
     front = ramp(p[:, 2], -10.0, 70.0) * ramp(p[:, 1], -150.0, -112.0) * ramp(p[:, 1], 115.0, 60.0)
     return np.asarray(0.78 + 0.85 * front)
 
 
 def close_holes(p: Array, faces: Faces) -> tuple[Array, Faces]:
-    """Close all but the longest boundary by cones, so that no hole folds over in the flat chart.
+    """Return points and faces with all but the longest boundary closed by cones.
 
-    The tip stands 12 mm off the hole's middle: the cone is larger than the hole, which keeps the
-    flat hole open wide enough for the padding.
+    A closed hole cannot fold over in the flat chart. The tip of a cone is 12 mm away from the middle of
+    the hole, so that the cone's area keeps the flat hole wide enough for the padding.
     """
     tips, extra = [], []
     for loop in boundary_loops(faces)[1:]:
@@ -197,7 +200,7 @@ def close_holes(p: Array, faces: Faces) -> tuple[Array, Faces]:
 
 
 def tutte(faces: Faces, count: int) -> Array:
-    """Harmonic embedding ``(count, 2)`` of a disc in the unit circle."""
+    """Return the harmonic embedding ``(count, 2)`` of a disc into the unit circle."""
     i, j = faces[:, [0, 1, 2]].ravel(), faces[:, [1, 2, 0]].ravel()
     pairs = np.unique(np.sort(np.stack([i, j], axis=1), axis=1), axis=0)
     i, j = pairs.ravel(), pairs[:, ::-1].ravel()

@@ -1,1 +1,1 @@
-"""What every layer stands on: errors, units, array checks, files, progress."""
+"""Base of all layers: errors, units, array checks, files, progress."""

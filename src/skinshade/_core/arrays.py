@@ -1,4 +1,4 @@
-"""Checks of shape, type and finiteness, at the border where arrays come in."""
+"""Array types, and checks of shape, type and range for arguments."""
 
 from __future__ import annotations
 
@@ -11,7 +11,11 @@ from .errors import ArgumentError
 
 __all__ = [
     "FloatArray",
+    "FloatRows",
+    "FloatVector",
     "ImageArray",
+    "ImageStack",
+    "IndexRows",
     "IntArray",
     "as_faces",
     "as_floats",
@@ -24,11 +28,22 @@ __all__ = [
 ]
 
 LARGEST_POSITION = 1e15
-"""Coordinates beyond it are no lengths of a body in any unit, and their fourth powers overflow."""
+"""Greatest coordinate: greater ones are implausible in any unit, and their fourth powers overflow."""
 
 FloatArray = NDArray[np.float64]
-ImageArray = NDArray[np.float32]
+"""Floats of any shape."""
+FloatVector = np.ndarray[tuple[int], np.dtype[np.float64]]
+"""Floats (n,)."""
+FloatRows = np.ndarray[tuple[int, int], np.dtype[np.float64]]
+"""Floats (n, m): a row for every vertex, point or texel."""
 IntArray = NDArray[np.int64]
+"""Indices of any shape."""
+IndexRows = np.ndarray[tuple[int, int], np.dtype[np.int64]]
+"""Indices (n, m), such as the faces of a mesh."""
+ImageArray = np.ndarray[tuple[int, int, int], np.dtype[np.float32]]
+"""Images (H, W, channels)."""
+ImageStack = np.ndarray[tuple[int, int, int, int], np.dtype[np.float32]]
+"""Images of one size (n, H, W, channels)."""
 
 
 def as_floats(
@@ -39,16 +54,18 @@ def as_floats(
     low: float = -np.inf,
     high: float = np.inf,
 ) -> FloatArray:
-    """Return `value` as finite float64 of a given shape and range.
+    """Return an argument as finite float64 array, after checks.
 
     Parameters
     ----------
     name
-        What the caller calls it; stands in the message.
+        Name of the argument, for the error message.
+    value
+        The argument.
     shape
-        One entry an axis, ``None`` where any length will do; ``None`` for any shape.
+        Required length of each axis, ``None`` for any length; ``None`` for any shape.
     low, high
-        The closed range that every element must lie in.
+        Closed range of the elements.
 
     Raises
     ------
@@ -64,11 +81,12 @@ def as_floats(
         raise ArgumentError(f"{name}: not an array of numbers ({error})") from None
     if shape is not None:
         fits = array.ndim == len(shape) and all(
-            want is None or have == want for have, want in zip(array.shape, shape, strict=True)
+            required is None or length == required
+            for length, required in zip(array.shape, shape, strict=True)
         )
         if not fits:
-            wanted = ", ".join("any" if want is None else str(want) for want in shape)
-            raise ArgumentError(f"{name}: shape is {array.shape}; it must be ({wanted})")
+            text = ", ".join("any" if length is None else str(length) for length in shape)
+            raise ArgumentError(f"{name}: shape is {array.shape}; it must be ({text})")
     bad = ~np.isfinite(array)
     if bad.any():
         raise ArgumentError(f"{name}{_first(array, bad)}; it must be finite")
@@ -79,12 +97,12 @@ def as_floats(
 
 
 def as_positions(name: str, value: ArrayLike) -> FloatArray:
-    """Return `value` as (V, 3) positions whose squares and products stay within float64.
+    """Return `value` as (V, 3) positions whose squares and products do not overflow float64.
 
     Raises
     ------
     ArgumentError
-        As `as_floats`; beyond ±`LARGEST_POSITION` too.
+        As `as_floats`, with the range ±`LARGEST_POSITION`.
     """
     return as_floats(name, value, (None, 3), low=-LARGEST_POSITION, high=LARGEST_POSITION)
 
@@ -92,7 +110,7 @@ def as_positions(name: str, value: ArrayLike) -> FloatArray:
 def as_rgb(
     name: str, value: ArrayLike, *, low: float = -np.inf, high: float = np.inf
 ) -> FloatArray:
-    """Return `value` as three channels, repeating a scalar."""
+    """Return one number or three (R, G, B) as an array (3,), after checks as in `as_floats`."""
     array = as_floats(name, value, low=low, high=high)
     if array.shape not in ((), (3,)):
         raise ArgumentError(
@@ -102,12 +120,12 @@ def as_rgb(
 
 
 def as_faces(name: str, value: ArrayLike, vertex_count: int) -> IntArray:
-    """Return `value` as (F, 3) int64 whose every index is that of a vertex.
+    """Return `value` as triangles (F, 3) int64, after a check of every index.
 
     Raises
     ------
     ArgumentError
-        If the shape is another, or an index is out of range.
+        If the shape or the type is wrong, or an index is not 0..`vertex_count` − 1.
     """
     try:
         array = np.asarray(value)
@@ -130,7 +148,7 @@ def dot(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def bounding_sphere(points: FloatArray) -> tuple[FloatArray, float]:
-    """Return the middle (3,) of the box about `points` (N, 3), and the distance of the farthest of them."""
+    """Return the middle (3,) of the bounding box of `points` (N, 3), and the distance of the farthest one."""
     middle: FloatArray = 0.5 * (points.min(axis=0) + points.max(axis=0))
     return middle, float(np.sqrt(dot(points - middle, points - middle).max()))
 
@@ -143,12 +161,13 @@ def unit_vectors(vectors: FloatArray) -> FloatArray:
 
 
 def _first(array: NDArray[np.generic], bad: NDArray[np.bool_]) -> str:
+    """Return the first index at fault and its value, as text."""
     index = tuple(int(i) for i in np.argwhere(bad)[0])
-    place = "[" + ", ".join(map(str, index)) + "]" if index else ""
-    return f"{place} is {array[index]}"
+    text = "[" + ", ".join(map(str, index)) + "]" if index else ""
+    return f"{text} is {array[index]}"
 
 
 def as_triple(values: FloatArray) -> tuple[float, float, float]:
-    """Return three numbers as a tuple; no check."""
-    x, y, z = (float(each) for each in values)
+    """Return an array (3,) as a tuple."""
+    x, y, z = values.tolist()
     return x, y, z

@@ -1,23 +1,22 @@
-"""The one tree of exceptions.
+"""Tree of exceptions.
 
 ::
 
     SkinshadeError                     exit code 1
     ├── InputError                     exit code 2: the input or the request is at fault
-    │   ├── ArgumentError              a value out of its range or shape (also a ValueError)
-    │   │   └── UnitError              a length whose unit is unknown or absurd
+    │   ├── ArgumentError              a value of a wrong type, shape or range (also a ValueError)
+    │   │   └── UnitError              a unit of length that is unknown or implausible
     │   ├── FileError                  a file that is missing, unreadable or corrupt
     │   │   ├── MeshFileError
     │   │   ├── ImageFileError
     │   │   ├── LutFileError
     │   │   └── SceneFileError
     │   ├── MeshError                  a mesh that no repair can make usable
-    │   ├── ShaderError                a user's shader that cannot be bound
-    │   └── OutputError                a place that cannot be written
-    ├── BackendError                   no device to render with, or it was lost
+    │   ├── ShaderError                a user's shader that does not match the library
+    │   └── OutputError                a file or folder that cannot be written
+    ├── BackendError                   no device to render with, or a lost one
     ├── DependencyError                an optional library that is not installed (also an ImportError)
-    ├── DownloadError                  an asset that could not be fetched, or has a wrong hash
-    └── CompilerError                  a shader source that cannot be translated; at build time only
+    └── DownloadError                  an asset that could not be downloaded, or has a wrong hash
 
 A message names the file or the argument, the index and the value at fault, and what to do.
 """
@@ -25,7 +24,6 @@ A message names the file or the argument, the index and the value at fault, and 
 __all__ = [
     "ArgumentError",
     "BackendError",
-    "CompilerError",
     "DependencyError",
     "DownloadError",
     "FileError",
@@ -44,7 +42,7 @@ __all__ = [
 
 
 class SkinshadeError(Exception):
-    """The root of everything that skinshade raises on purpose."""
+    """Base class of all errors that skinshade raises."""
 
     exit_code = 1
 
@@ -60,7 +58,7 @@ class ArgumentError(InputError, ValueError):
 
 
 class UnitError(ArgumentError):
-    """A length has no known unit, or one that cannot be meant."""
+    """A unit of length is unknown or implausible."""
 
 
 class FileError(InputError):
@@ -68,35 +66,35 @@ class FileError(InputError):
 
 
 class MeshFileError(FileError):
-    """A mesh file cannot be read as what its name says it is."""
+    """A mesh file is missing or damaged, or has another format than its suffix says."""
 
 
 class ImageFileError(FileError):
-    """An image file cannot be read as what its name says it is."""
+    """An image file is missing or damaged, or has another format than its suffix says."""
 
 
 class LutFileError(FileError):
-    """A lookup table's file lacks its table or the description of its axes."""
+    """The file of a lookup table is missing or damaged, or lacks the description of its axes."""
 
 
 class SceneFileError(FileError):
-    """A scene description lacks a field or has one of a wrong type."""
+    """A scene file is missing or does not follow the schema."""
 
 
 class MeshError(InputError):
-    """A mesh that no documented repair can make usable."""
+    """A mesh is unusable, and no documented repair applies."""
 
 
 class ShaderError(InputError):
-    """A user's shader declares something of ours otherwise than it is, or lacks it."""
+    """A user's shader does not compile, or its declarations differ from the library's."""
 
 
 class OutputError(InputError):
-    """A file or folder that cannot be written."""
+    """A file or folder cannot be written."""
 
 
 class BackendError(SkinshadeError):
-    """There is no device to render with, or it was lost."""
+    """No device to render with is available, or the device was lost."""
 
 
 class DependencyError(SkinshadeError, ImportError):
@@ -104,12 +102,8 @@ class DependencyError(SkinshadeError, ImportError):
 
 
 class DownloadError(SkinshadeError):
-    """An asset could not be fetched, or is not the one that was promised."""
-
-
-class CompilerError(SkinshadeError):
-    """The shader compiler is not there, or refused a source; at build time only."""
+    """An asset could not be downloaded, or its hash is wrong."""
 
 
 class UnitWarning(UserWarning):
-    """A unit that a file's standard prescribes makes the object implausibly large or small."""
+    """The unit that a file format prescribes makes the object implausibly large or small."""

@@ -1,4 +1,4 @@
-"""Reading and writing files so that a failure names the file and loses nothing."""
+"""Checks before reading files, and atomic writes."""
 
 from __future__ import annotations
 
@@ -19,25 +19,28 @@ def existing_file(path: str | os.PathLike[str], error: type[FileError] = FileErr
     Raises
     ------
     FileError
-        Of the type given, naming the file.
+        Of the type `error`, naming the file.
     """
     file = Path(path)
-    if not file.exists():
-        raise error(f"{file}: no such file")
-    if not file.is_file():
-        raise error(f"{file}: not a file")
-    if not os.access(file, os.R_OK):
-        raise error(f"{file}: no permission to read it")
-    if file.stat().st_size == 0:
-        raise error(f"{file}: the file is empty")
+    try:
+        if not file.exists():
+            raise error(f"{file}: no such file")
+        if not file.is_file():
+            raise error(f"{file}: not a file")
+        if not os.access(file, os.R_OK):
+            raise error(f"{file}: no permission to read it")
+        if file.stat().st_size == 0:
+            raise error(f"{file}: the file is empty")
+    except (OSError, ValueError) as reason:  # a name that is too long, or has a NUL
+        raise error(f"{file}: not the name of a file ({reason})") from None
     return file
 
 
 @contextmanager
 def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Yield a temporary path in the same folder; on success it replaces `path`, else it is removed.
+    """Yield a temporary path in the same folder; it replaces `path` on success, else it is removed.
 
-    The temporary file keeps the suffix, for libraries that choose a format by it.
+    The temporary file has the suffix of `path`, because libraries choose the format by the suffix.
 
     Raises
     ------
@@ -46,14 +49,16 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
     """
     target = Path(path)
     folder = target.parent
-    if target.is_dir():
-        raise OutputError(f"{target}: is a folder; name a file")
-    if not folder.is_dir():
-        raise OutputError(f"{target}: there is no folder {folder}")
     try:
+        if target.is_dir():
+            raise OutputError(f"{target}: is a folder; give the name of a file")
+        if not folder.is_dir():
+            raise OutputError(f"{target}: the folder {folder} does not exist")
         handle, name = tempfile.mkstemp(prefix=f".{target.stem}-", suffix=target.suffix, dir=folder)
     except OSError as error:
-        raise OutputError(f"{target}: cannot write here ({error.strerror})") from None
+        raise OutputError(f"{target}: cannot write to its folder ({error.strerror})") from None
+    except ValueError as error:
+        raise OutputError(f"{target}: not the name of a file ({error})") from None
     os.close(handle)
     temporary = Path(name)
     try:

@@ -1,4 +1,4 @@
-"""Pixels in and out of files, through OpenImageIO: the one file that knows it."""
+"""Image files as arrays, through OpenImageIO, which no other file imports."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import OpenImageIO as oiio  # noqa: N813 — the name its own manual gives it
+import OpenImageIO as oiio  # noqa: N813 — the name in its manual
 from numpy.typing import NDArray
 
 from .arrays import ImageArray
@@ -17,19 +17,19 @@ from .files import atomic_write, existing_file
 __all__ = ["read_pixels", "write_pixels"]
 
 DESCRIPTION = "ImageDescription"
-"""The one text field that EXR and PNG share under OpenImageIO."""
+"""Text field that OpenImageIO stores in both EXR and PNG."""
 LARGEST_SIDE = 32768
 MOST_PIXELS = 2**28
-"""A header that claims more is taken for corrupt before memory is asked for it."""
+"""Larger sizes in a header count as corrupt, before memory is allocated."""
 AS_STORED = "oiio:UnassociatedAlpha"
-"""Unless it is set, colours are multiplied by alpha on reading and divided by it on writing."""
+"""Without this attribute, OpenImageIO multiplies colours by alpha on reading and divides on writing."""
 STORED_AS = {
     np.dtype(np.uint8): "uint8",
     np.dtype(np.uint16): "uint16",
     np.dtype(np.float32): "float",
 }
 TYPES_HELD = {".png": ("uint8", "uint16"), ".exr": ("float32",)}
-"""Any other type would be converted on the way, and not come back as it was."""
+"""Types that the formats store without conversion."""
 
 
 def read_pixels(path: str | os.PathLike[str], error: type[FileError]) -> tuple[ImageArray, str]:
@@ -38,7 +38,7 @@ def read_pixels(path: str | os.PathLike[str], error: type[FileError]) -> tuple[I
     Raises
     ------
     FileError
-        Of the type given, if the file is missing, not an image, corrupt, or implausibly large.
+        Of the type `error`, if the file is missing, not an image, corrupt, or implausibly large.
     """
     file = existing_file(path, error)
     config = oiio.ImageSpec()
@@ -53,13 +53,14 @@ def read_pixels(path: str | os.PathLike[str], error: type[FileError]) -> tuple[I
             raise error(f"{file}: claims {spec.width}×{spec.height} pixels; too large")
         pixels = source.read_image("float")
         reason = _reason(source)
-        text = str(spec.getattribute(DESCRIPTION) or "")
-        text.encode()  # bytes that are no text come as lone surrogates
+        description = spec.getattribute(DESCRIPTION)
+        text = description if isinstance(description, str) else ""
+        text.encode()  # invalid bytes are read as lone surrogates
     except UnicodeError:
         raise error(f"{file}: corrupt (its text is not UTF-8)") from None
     finally:
         source.close()
-    if pixels is None or reason:  # a JPEG that was cut off is filled up with grey
+    if pixels is None or reason:  # the missing part of a truncated JPEG is grey
         raise error(f"{file}: corrupt ({reason})")
     if pixels.ndim == 2:
         pixels = pixels[..., None]
@@ -71,16 +72,16 @@ def write_pixels(
     pixels: NDArray[np.uint8] | NDArray[np.uint16] | ImageArray,
     description: str = "",
 ) -> None:
-    """Write (H, W, C) as the suffix says, in the type of the array; all or nothing.
+    """Write an image (H, W, C) in the format of the suffix and the type of the array, atomically.
 
     Raises
     ------
     ArgumentError, OutputError
-        If the type is not one that the format holds, or the place cannot be written.
+        If the format does not hold the type, or the file cannot be written.
     """
     if pixels.dtype not in STORED_AS:
         raise ArgumentError(
-            f"{path}: pixels are {pixels.dtype}; uint8, uint16 or float32 is stored"
+            f"{path}: pixels are {pixels.dtype}; they must be uint8, uint16 or float32"
         )
     held = TYPES_HELD.get(Path(path).suffix.lower(), (pixels.dtype.name,))
     if pixels.dtype.name not in held:
@@ -108,9 +109,9 @@ def write_pixels(
             raise OutputError(f"{Path(path)}: cannot write it ({_reason(out or oiio)})")
 
 
-def _reason(of: Any) -> str:
-    """What went wrong, in one line; nothing if nothing did."""
+def _reason(source: Any) -> str:
+    """Return the error of an OpenImageIO object in one line; empty without an error."""
     try:
-        return "; ".join(dict.fromkeys(str(of.geterror()).strip().splitlines()))
-    except UnicodeDecodeError:  # it quotes a corrupt file's own bytes
+        return "; ".join(dict.fromkeys(str(source.geterror()).strip().splitlines()))
+    except UnicodeDecodeError:  # the message quotes bytes of a corrupt file
         return "its header is corrupt"

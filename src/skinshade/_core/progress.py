@@ -1,4 +1,4 @@
-"""How long work tells that it goes on: a callable, so that no layer knows the terminal."""
+"""Progress callbacks for long operations."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ __all__ = ["Progress", "silent"]
 
 
 class Progress(Protocol):
-    """Called with what is being done and the fraction of it that is done (0..1)."""
+    """Called with the name of the work and the fraction that is done (0..1)."""
 
-    def __call__(self, what: str, fraction: float) -> None:
-        """Report."""
+    def __call__(self, work: str, fraction: float) -> None:
+        """Report progress."""
 
 
-def silent(what: str, fraction: float) -> None:
+def silent(work: str, fraction: float) -> None:
     """Report nothing."""

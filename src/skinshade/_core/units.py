@@ -1,4 +1,4 @@
-"""Millimetres are canonical; the only unit factors of the house live here."""
+"""Units of length. Lengths are in mm everywhere else."""
 
 from __future__ import annotations
 
@@ -9,41 +9,41 @@ from .errors import UnitError
 __all__ = ["GLTF_UNIT_MM", "MM_PER_UNIT", "checked_unit_mm", "parse_unit_mm"]
 
 MM_PER_UNIT = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
-"""Millimetres in one of each named unit (the inch and the foot by definition of 1959)."""
+"""Length of the named units, mm (inch and foot as defined in 1959)."""
 GLTF_UNIT_MM = MM_PER_UNIT["m"]
-"""The format prescribes metres."""
+"""Unit of glTF files, mm: the format prescribes metres."""
 UNIT_RANGE_MM = (1e-6, 1e9)
-"""A nanometre to a thousand kilometres: beyond it no unit is meant."""
+"""Plausible units: a nanometre to a thousand kilometres."""
 
 
-def checked_unit_mm(unit_mm: float, what: str) -> float:
-    """Return `unit_mm` if it can be the length of a unit, in mm.
+def checked_unit_mm(unit_mm: float, name: str) -> float:
+    """Return the length of a unit in mm, after a check. `name` begins the error message.
 
     Raises
     ------
     UnitError
-        If it is zero, negative, NaN or infinite.
+        If the length is outside `UNIT_RANGE_MM`, or not a number.
     """
     try:
         value = float(unit_mm)
     except (TypeError, ValueError):
         value = math.nan
     least, most = UNIT_RANGE_MM
-    if not least <= value <= most:  # NaN is not in a range either
+    if not least <= value <= most:  # false for NaN
         raise UnitError(
-            f"{what}: unit_mm is {unit_mm}; it must be a positive number of millimetres, "
+            f"{name}: unit_mm is {unit_mm}; it must be a positive number of millimetres, "
             f"{least:g} to {most:g}"
         )
     return value
 
 
 def parse_unit_mm(text: str) -> float:
-    """Return the millimetres of one unit, written as a number or as a name such as ``cm``.
+    """Return the length in mm of a unit: a number of mm, or a name such as ``cm``.
 
     Raises
     ------
     UnitError
-        If the text is neither.
+        If the text is neither a length in range nor a name.
     """
     name = text.strip().lower()
     if name in MM_PER_UNIT:

@@ -1,16 +1,17 @@
-"""``skinshade assets``: fetch public scans."""
+"""``skinshade assets``: public scans of heads."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
-from ..scene.heads import SCANS, fetch_scan
+from ..heads import SCANS, fetch_scan
 
 __all__ = ["app"]
 
-app = typer.Typer(help="Public scans.", no_args_is_help=True)
+app = typer.Typer(no_args_is_help=True)
 
 
 @app.command("list")
@@ -22,11 +23,15 @@ def list_command() -> None:
 
 @app.command("get")
 def get_command(
-    name: str = typer.Argument(..., help="Which; see skinshade assets list."),
-    folder: Path = typer.Option(None, help="Where to keep it; the user's cache by default."),
-    base_url: str = typer.Option(None, help="Another place that serves the same files."),
+    name: Annotated[str, typer.Argument(help="Name of a scan; see skinshade assets list.")],
+    folder: Annotated[
+        Path | None, typer.Option(help="Folder of the files; the user's cache by default.")
+    ] = None,
+    base_url: Annotated[
+        str | None, typer.Option(help="Address of another server with the same files.")
+    ] = None,
 ) -> None:
-    """Fetch a scan, and refuse it if its hash is wrong."""
+    """Download a scan and check its hash."""
     for path in fetch_scan(name, folder, base_url):
         typer.echo(path)
     typer.echo(f"credit: {SCANS[name].credit}")

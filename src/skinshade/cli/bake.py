@@ -1,17 +1,22 @@
-"""``skinshade bake``: curvature, thickness and scale into a studio's own files."""
+"""``skinshade bake``: models with curvature, shape operator and thickness at their vertices."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
 import typer
 
-from .._core.errors import ArgumentError, InputError, OutputError
+from .._core.errors import InputError, OutputError
 from .._core.units import parse_unit_mm
-from ..bake import BakeSettings, bake
-from ..bake.jobs import JobResult, counted, plan
-from ..bake.library import bake_library, write_report
-from ..bake.report import write_page
+from ..baking import BakeSettings, bake
+from ..baking.jobs import JobResult, plan_jobs, status_counts
+from ..baking.library import bake_library, write_report
+from ..baking.report import write_page
+from ..baking.settings import MapFormat, OutputFormat
+from ..mesh.rays import RayTracing
+from .options import expand_options
 from .progress import terminal_progress
 
 __all__ = ["bake_command"]
@@ -19,97 +24,144 @@ __all__ = ["bake_command"]
 REPORT, PAGE = "skinshade-bake.json", "skinshade-bake.html"
 
 
+@dataclass(frozen=True)
+class AnalysisOptions:
+    """Analysis of the meshes."""
+
+    unit_mm: Annotated[
+        str | None,
+        typer.Option(
+            help="Unit of the models: a length in mm, or mm, cm, m, in or ft. glTF is in metres."
+        ),
+    ] = None
+    tensor: Annotated[
+        bool, typer.Option("--tensor", help="Also bake the shape operator, for the tensor tier.")
+    ] = False
+    thickness: Annotated[bool, typer.Option("--thickness", help="Also bake the thickness, mm.")] = (
+        False
+    )
+    profile: Annotated[
+        str, typer.Option(help="Diffusion profile; its name is written to the file.")
+    ] = "skin-deon2007"
+    smoothing: Annotated[int, typer.Option(help="Smoothing passes over the curvature, 0..100.")] = 2
+    rays: Annotated[int, typer.Option(help="Rays at every vertex for the thickness, 1..4096.")] = 64
+    tracing: Annotated[
+        RayTracing, typer.Option(help="Ray caster; auto is Embree where it is installed.")
+    ] = RayTracing.AUTO
+    map_size: Annotated[
+        int,
+        typer.Option(
+            "--maps",
+            help="Also write texture maps beside the model; number of texels along a side.",
+        ),
+    ] = 0
+    map_format: Annotated[MapFormat, typer.Option(help="Format of the maps.")] = MapFormat.EXR
+
+    def settings(self) -> BakeSettings:
+        """Return the settings that the options describe.
+
+        Raises
+        ------
+        ArgumentError
+            If a value is out of range.
+        """
+        return BakeSettings(
+            unit_mm=None if self.unit_mm is None else parse_unit_mm(self.unit_mm),
+            tensor=self.tensor,
+            thickness=self.thickness,
+            profile=self.profile,
+            smoothing=self.smoothing,
+            rays=self.rays,
+            tracing=self.tracing,
+            map_size=self.map_size,
+            map_format=self.map_format,
+        )
+
+
+@dataclass(frozen=True)
+class LibraryOptions:
+    """Several models."""
+
+    suffix: Annotated[
+        OutputFormat | None,
+        typer.Option(
+            "--format", help="Format of the outputs; by default, glTF files keep their format."
+        ),
+    ] = None
+    report: Annotated[
+        bool, typer.Option("--report", help="Also write a page with thumbnails and histograms.")
+    ] = False
+    jobs: Annotated[int, typer.Option(help="Number of processes, 1..1024.")] = 1
+    cluster: Annotated[
+        str | None,
+        typer.Option(help="Address of a Dask scheduler, tcp://…, instead of processes."),
+    ] = None
+
+
+@expand_options
 def bake_command(
-    sources: list[Path] = typer.Argument(..., help="GLB, glTF, OBJ, PLY, STL, or folders of them."),
-    output: Path = typer.Option(
-        ..., "--output", "-o", help="File for one model, or folder for any number."
-    ),
-    unit_mm: str = typer.Option(
-        None, help="Length of the models' unit in mm, or mm, cm, m, in, ft; glTF's is the metre."
-    ),
-    tensor: bool = typer.Option(
-        False, "--tensor", help="The shape operator too, for skin that bends one way."
-    ),
-    thickness: bool = typer.Option(False, "--thickness", help="Thickness in mm too."),
-    profile: str = typer.Option("skin-deon2007", help="Diffusion profile that is noted."),
-    smoothing: int = typer.Option(2, help="Passes over the curvature, 0..100."),
-    rays: int = typer.Option(64, help="Of thickness at each vertex, 1..4096."),
-    tracing: str = typer.Option("auto", help="embree, builtin, or auto."),
-    map_size: int = typer.Option(
-        0, "--maps", help="Write texture maps of this many texels a side beside the model."
-    ),
-    map_format: str = typer.Option("exr", help="Of the maps: exr, or png of 16 bits."),
-    suffix: str = typer.Option(
-        None, "--format", help="glb, ply, usda or usdc; a folder's glTF files stay what they are."
-    ),
-    report: bool = typer.Option(
-        False, "--report", help="Write a page with thumbnails and histograms too."
-    ),
-    jobs: int = typer.Option(1, help="Processes."),
-    cluster: str = typer.Option(
-        None, help="Address of a Dask scheduler, tcp://…, instead of processes."
-    ),
+    *,
+    sources: Annotated[
+        list[Path], typer.Argument(help="GLB, glTF, OBJ, PLY or STL files, or folders of them.")
+    ],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="File for one model, or folder for several models."),
+    ],
+    analysis: AnalysisOptions,
+    library: LibraryOptions,
 ) -> None:
-    """Write models again with curvature, and thickness, at their vertices; all else stays."""
-    settings = BakeSettings(
-        unit_mm=None if unit_mm is None else parse_unit_mm(unit_mm),
-        tensor=tensor,
-        thickness=thickness,
-        profile=profile,
-        smoothing=smoothing,
-        rays=rays,
-        tracing=tracing,  # type: ignore[arg-type]  # checked by the class
-        map_size=map_size,
-        map_format=map_format,  # type: ignore[arg-type]  # checked by the class
-    )
-    if suffix is not None and suffix not in ("glb", "ply", "usda", "usdc"):
-        raise ArgumentError(f"--format is {suffix!r}; it must be glb, ply, usda or usdc")
-    one = (
-        len(sources) == 1
-        and not sources[0].is_dir()
-        and output.suffix != ""
-        and not output.is_dir()
-        and not report
-    )
-    if one:
+    """Write copies of models that have curvature, and on request thickness, at their vertices."""
+    settings = analysis.settings()
+    if _is_single(sources, output, library):
         _bake_one(sources[0], output, settings)
-        return
-    if output.exists() and not output.is_dir():
-        raise OutputError(f"{output}: is a file; several models need a folder")
-    missing = [each for each in sources if not each.exists()]
-    if missing:
-        raise ArgumentError(f"{missing[0]}: no such file or folder")
-    ending = None if suffix is None else f".{suffix}"
-    planned = plan(sources, output, settings, ending, pictured=report)
-    with terminal_progress() as progress:
-        results = bake_library(planned, workers=jobs, cluster=cluster, progress=progress)
-    output.mkdir(parents=True, exist_ok=True)
-    write_report(results, output / REPORT)
-    if report:
-        write_page(planned, results, output / PAGE)
-        typer.echo(f"{output / PAGE}: open it in a browser")
-    _tell(results, output)
+    else:
+        _bake_many(sources, output, settings, library)
+
+
+def _is_single(sources: list[Path], output: Path, library: LibraryOptions) -> bool:
+    """Return whether the output is one file for one model; otherwise it is a folder."""
+    if len(sources) != 1 or sources[0].is_dir() or library.report:
+        return False
+    return output.suffix != "" and not output.is_dir()
 
 
 def _bake_one(source: Path, output: Path, settings: BakeSettings) -> None:
     with terminal_progress() as progress:
         baked = bake(source, output, settings, progress=progress)
     for mesh in baked.meshes:
-        curvature = mesh.analysed.attributes["curvature"]
-        notes = {**mesh.notes, **mesh.analysed.notes}
-        said = "".join(f"; {count} {what}" for what, count in notes.items())
+        curvature = mesh.analysis.attributes["curvature"]
+        notes = "".join(f"; {count} {note}" for note, count in mesh.all_notes.items())
         typer.echo(
-            f"{output}: mesh {mesh.name}, one unit is {mesh.unit_mm:g} mm, curvature"
-            f" {curvature.min():.3f} to {curvature.max():.3f} per mm{said}"
+            f"{output}: mesh {mesh.name}, one unit is {mesh.mesh.unit_mm:g} mm, curvature"
+            f" {curvature.min():.3f} to {curvature.max():.3f} per mm{notes}"
         )
 
 
-def _tell(results: list[JobResult], output: Path) -> None:
-    for each in results:
-        if each.status == "failed":
-            typer.echo(f"skinshade: error: {each.error}", err=True)
-    count = counted(results)
-    said = ", ".join(f"{number} {status}" for status, number in count.items())
-    typer.echo(f"{output}: {said}; {output / REPORT}")
-    if count["failed"]:
-        raise InputError(f"{count['failed']} of {len(results)} models failed")
+def _bake_many(
+    sources: list[Path], output: Path, settings: BakeSettings, library: LibraryOptions
+) -> None:
+    if output.exists() and not output.is_dir():
+        raise OutputError(f"{output}: is a file; several models need a folder")
+    jobs = plan_jobs(sources, output, settings, library.suffix, with_thumbnails=library.report)
+    with terminal_progress() as progress:
+        results = bake_library(
+            jobs, workers=library.jobs, cluster=library.cluster, progress=progress
+        )
+    output.mkdir(parents=True, exist_ok=True)
+    write_report(results, output / REPORT)
+    if library.report:
+        write_page(jobs, results, output / PAGE)
+        typer.echo(f"{output / PAGE}: open it in a browser")
+    _summarise(results, output)
+
+
+def _summarise(results: list[JobResult], output: Path) -> None:
+    for result in results:
+        if result.status == "failed":
+            typer.echo(f"skinshade: error: {result.error}", err=True)
+    counts = status_counts(results)
+    summary = ", ".join(f"{number} {status}" for status, number in counts.items())
+    typer.echo(f"{output}: {summary}; {output / REPORT}")
+    if counts["failed"]:
+        raise InputError(f"{counts['failed']} of {len(results)} models failed")

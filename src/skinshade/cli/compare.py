@@ -1,15 +1,17 @@
-"""Pictures side by side, each with its name."""
+"""Labelled pictures side by side."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError
-from ..render import RenderSettings
+from ..rendering.settings import RenderSettings
 
 __all__ = ["parse_variant", "side_by_side"]
 
@@ -17,38 +19,39 @@ DEEP = "+deep"
 
 
 def parse_variant(text: str, settings: RenderSettings) -> tuple[str, RenderSettings]:
-    """Return the label and settings of one entry of ``--compare``.
+    """Return the label and the settings of an entry of ``--compare``.
 
-    ``lambert``, ``classic`` or ``transfer``, with ``@scalar`` and the like for a tier; deep scatter is
-    off unless ``+deep`` follows.
+    An entry is a lighting model (``lambert``, ``classic`` or ``transfer``), optionally followed by a tier,
+    such as ``@scalar``, and by ``+deep``. Deep scatter is off without ``+deep``.
 
     Raises
     ------
     ArgumentError
-        If there is no such shading or tier.
+        If the lighting model or the tier is unknown.
     """
-    word = text.strip()
-    deep = word.endswith(DEEP)
-    shading, _, tier = word.removesuffix(DEEP).partition("@")
+    entry = text.strip()
+    deep = entry.endswith(DEEP)
+    shading, _, tier = entry.removesuffix(DEEP).partition("@")
     taps = (settings.deep_scatter_taps or 8) if deep else 0
-    changes = {"shading": shading, "deep_scatter_taps": taps} | ({"tier": tier} if tier else {})
+    changes: dict[str, Any] = {"shading": shading, "deep_scatter_taps": taps}
+    if tier:
+        changes["tier"] = tier
     try:
-        chosen = replace(settings, **changes)  # type: ignore[arg-type]  # checked by the class itself
+        variant = replace(settings, **changes)
     except ArgumentError as error:
         raise ArgumentError(f"--compare {text!r}: {error}") from None
-    return word.replace("@", ", ").replace(DEEP, " + deep scatter"), chosen
+    return entry.replace("@", ", ").replace(DEEP, " + deep scatter"), variant
 
 
-def side_by_side(pictures: list[FloatArray], labels: list[str]) -> FloatArray:
-    """Return display values (H, W, 3) of labelled pictures (H, w, 3) in a row."""
+def side_by_side(pictures: list[FloatArray], labels: list[str]) -> NDArray[np.uint8]:
+    """Return a row of n labelled pictures: display values (H, W, 3), 0..1, as (H, n·W, 3) in 8 bits."""
     row = Image.fromarray(np.rint(np.concatenate(pictures, axis=1) * 255.0).astype(np.uint8))
     height, width = pictures[0].shape[:2]
     draw = ImageDraw.Draw(row)
     font = ImageFont.load_default(max(12, height // 34))
     for index, label in enumerate(labels):
-        at = (index * width + width // 2, height - height // 28)
         draw.text(
-            at,
+            (index * width + width // 2, height - height // 28),
             label,
             fill=(235, 235, 235),
             font=font,
@@ -58,4 +61,4 @@ def side_by_side(pictures: list[FloatArray], labels: list[str]) -> FloatArray:
         )
         if index:
             draw.line([(index * width, 0), (index * width, height)], fill=(90, 90, 90))
-    return np.asarray(row, dtype=np.float64) / 255.0
+    return np.asarray(row)

@@ -1,4 +1,4 @@
-"""``skinshade doctor``: what is here."""
+"""``skinshade doctor``: versions, cores and GPUs of this machine."""
 
 from __future__ import annotations
 
@@ -30,9 +30,8 @@ def _gpus() -> list[str]:
         from ..gpu.device import adapters
     except ImportError as error:
         return [f"wgpu cannot be loaded ({error})"]
-    found = [each.info for each in adapters()]
     lines = [
         f"{info['device']} ({info['adapter_type']}, {info['backend_type']}, {info['description']})"
-        for info in found
+        for info in (adapter.info for adapter in adapters())
     ]
     return lines or ["no adapter; install a GPU driver, or Mesa's lavapipe to draw in software"]

@@ -1,9 +1,11 @@
-"""``skinshade profile``: list the diffusion profiles, show one, plot it."""
+"""``skinshade profile``: numbers and plots of diffusion profiles."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
+import numpy as np
 import typer
 
 from .._core.errors import ArgumentError, OutputError
@@ -13,45 +15,56 @@ from ..profile.presets import preset_record
 
 __all__ = ["profile_command"]
 
-
 LARGEST_SCALE = 1e6
 
 
 def profile_command(
-    name: str = typer.Argument(None, help="Which to show; all are listed without it."),
-    output: Path = typer.Option(None, "--output", "-o", help="Plot R(r) and T(k) to this PNG."),
-    scale: float = typer.Option(1.0, help="Multiply every length."),
+    name: Annotated[
+        str | None, typer.Argument(help="Name of a profile; without it, all profiles are listed.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="PNG for a plot of R(r) and T(k).")
+    ] = None,
+    scale: Annotated[float, typer.Option(help="Factor of every length.")] = 1.0,
 ) -> None:
-    """List the diffusion profiles, show one, or plot it."""
+    """List the diffusion profiles, print the numbers of one, or plot it."""
     if name is None:
-        for each in presets():
-            record = preset_record(each)
-            rms = "  ".join(f"{value:6.3f}" for value in Profile.preset(each).rms_radius_mm)
-            typer.echo(
-                f"{each:<14} {record['kind']:<10} rms {rms} mm  {record['about']} [{record['source']}]"
-            )
+        _list()
         return
     if not 0.0 < scale <= LARGEST_SCALE:
-        raise ArgumentError(f"--scale is {scale}; it must be positive, {LARGEST_SCALE:g} at most")
-    chosen = Profile.preset(name).scaled(scale)
-    for label, values, unit in (
-        ("albedo", chosen.albedo, ""),
-        ("rms radius", chosen.rms_radius_mm, " mm"),
-    ):
-        typer.echo(f"{label:<12}" + "  ".join(f"{value:.4f}" for value in values) + unit)
-    typer.echo(f"{'kind':<12}{preset_record(name)['kind']}, from {chosen.source}")
-    fit = chosen.mixture_residual
-    typer.echo(f"{'Gaussians':<12}{chosen.mixture.variances_mm2.size}, |ΔT| ≤ {fit:.1e}")
+        raise ArgumentError(f"--scale is {scale}; it must be above 0 and at most {LARGEST_SCALE:g}")
+    profile = Profile.preset(name).scaled(scale)
+    mixture, residual = profile.gaussian_fit()
+    rows = {
+        "albedo": _row(profile.albedo),
+        "rms radius": f"{_row(profile.rms_radius_mm)} mm",
+        "kind": f"{preset_record(name)['kind']}, from {profile.source}",
+        "Gaussians": f"{mixture.variances_mm2.size}, |ΔT| ≤ {residual:.1e}",
+    }
+    for label, text in rows.items():
+        typer.echo(f"{label:<12}{text}")
     if output is not None:
-        _plot(chosen, name, output)
+        _plot(profile, name, output)
+
+
+def _list() -> None:
+    for name in presets():
+        record = preset_record(name)
+        rms = "  ".join(f"{value:6.3f}" for value in Profile.preset(name).rms_radius_mm)
+        typer.echo(
+            f"{name:<14} {record['kind']:<10} rms {rms} mm  {record['about']} [{record['source']}]"
+        )
+
+
+def _row(values: np.ndarray) -> str:
+    return "  ".join(f"{value:.4f}" for value in values)
 
 
 def _plot(profile: Profile, name: str, output: Path) -> None:
-    import numpy as np
     from matplotlib.figure import Figure
 
     if output.suffix.lower() != ".png":
-        raise OutputError(f"{output}: a plot is saved as .png")
+        raise OutputError(f"{output}: suffix {output.suffix!r}; it must be .png")
     figure = Figure(figsize=(10.0, 4.0), layout="constrained")
     left, right = figure.subplots(1, 2)
     rms = profile.rms_radius_mm

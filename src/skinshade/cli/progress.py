@@ -1,4 +1,4 @@
-"""A progress bar on a terminal; nothing where output is piped."""
+"""Progress bar on a terminal."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["terminal_progress"]
 
 @contextmanager
 def terminal_progress() -> Iterator[Progress]:
-    """Yield a `Progress` that draws a bar on standard error, or a silent one."""
+    """Yield a callback that draws a progress bar on standard error if that is a terminal."""
     if not sys.stderr.isatty():
         yield silent
         return
@@ -25,7 +25,7 @@ def terminal_progress() -> Iterator[Progress]:
     with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=1.0)
 
-        def show(what: str, fraction: float) -> None:
-            bar.update(task, description=what, completed=fraction)
+        def show(work: str, fraction: float) -> None:
+            bar.update(task, description=work, completed=fraction)
 
         yield show

@@ -1,4 +1,4 @@
-"""How long each pass took on the device, as a table or as JSON."""
+"""Report of the times of GPU passes."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import json
 
 import numpy as np
 
-from ..render.renderer import Renderer
+from ..rendering import Renderer
 
 __all__ = ["timing_report"]
 
 
-def timing_report(renderer: Renderer, form: str) -> str:
-    """Return median, least and greatest time of each pass, ms; ``table`` or ``json``."""
+def timing_report(renderer: Renderer, *, as_json: bool = False) -> str:
+    """Return the median, least and greatest time of each pass, ms, as a table or as JSON."""
     passes = {
         name: {
             "runs": len(times),
@@ -23,15 +23,15 @@ def timing_report(renderer: Renderer, form: str) -> str:
         for name, times in renderer.timings_ms.items()
         if times
     }
-    if form == "json":
-        return json.dumps({"adapter": renderer.place, "passes": passes}, indent=1)
+    if as_json:
+        return json.dumps({"adapter": renderer.device_name, "passes": passes}, indent=1)
     if not passes:
-        return f"{renderer.place}: no pass was timed"
+        return f"{renderer.device_name}: no pass was timed"
     lines = [
-        renderer.place,
+        renderer.device_name,
         f"{'pass':12s} {'runs':>5s} {'median':>9s} {'least':>9s} {'greatest':>9s}",
     ]
-    for name, found in passes.items():
-        times = (found["median_ms"], found["least_ms"], found["greatest_ms"])
-        lines.append(f"{name:12s} {found['runs']:5d} " + " ".join(f"{t:6.2f} ms" for t in times))
+    for name, entry in passes.items():
+        times = (entry["median_ms"], entry["least_ms"], entry["greatest_ms"])
+        lines.append(f"{name:12s} {entry['runs']:5d} " + " ".join(f"{t:6.2f} ms" for t in times))
     return "\n".join(lines)

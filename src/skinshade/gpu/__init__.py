@@ -1,4 +1,4 @@
-"""The runtime on a GPU, for any renderer; needs wgpu."""
+"""Runtime for wgpu renderers: device, bindings by reflection, textures, context."""
 
 from .context import SkinContext
 from .library import wgsl_library

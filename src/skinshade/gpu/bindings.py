@@ -1,4 +1,4 @@
-"""Where a WGSL program wants what: bind points by the names in its text."""
+"""Bind points and override constants of a WGSL program, by their names in its text."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ __all__ = ["BindPoint", "bind_points", "override_ids"]
 VARIABLE = re.compile(
     r"((?:@(?:binding|group)\(\d+\)\s*){2})var\s*(?:<([^>]*)>)?\s*(\w+)\s*:\s*([\w<>, ]+);"
 )
-PLACE = re.compile(r"@(binding|group)\((\d+)\)")
+NUMBER = re.compile(r"@(binding|group)\((\d+)\)")
 OVERRIDE = re.compile(r"@id\((\d+)\)\s*override\s+(\w+?)(?:_0)?\s*:")
 
 
 @dataclass(frozen=True)
 class BindPoint:
-    """One global of a program.
+    """Bind point: a resource variable of a program.
 
     Attributes
     ----------
     group, binding
-        Numbers.
+        Numbers of the bind group and of the binding in it.
     kind
-        Its WGSL type.
+        WGSL type of the variable.
     space
-        ``uniform`` or ``storage``, with ``, read_write`` where it says so; empty for a texture or sampler.
+        Address space: ``uniform``, ``storage`` or ``storage, read_write``; empty for a texture or sampler.
     """
 
     group: int
@@ -37,24 +37,24 @@ class BindPoint:
 
 
 def bind_points(wgsl: str) -> dict[str, BindPoint]:
-    """Return the bind points of a program by name, without the compiler's counter.
+    """Return the bind points of a program by name, without the suffix ``_0`` of the Slang compiler.
 
     Raises
     ------
     ArgumentError
-        If the text has none.
+        If the text has no bind point.
     """
-    found = {}
-    for places, space, name, kind in VARIABLE.findall(wgsl):
-        place = {word: int(number) for word, number in PLACE.findall(places)}
-        found[name.removesuffix("_0")] = BindPoint(
-            place["group"], place["binding"], kind.strip(), space.removesuffix(", read")
+    points = {}
+    for numbers, space, name, kind in VARIABLE.findall(wgsl):
+        number = {word: int(digits) for word, digits in NUMBER.findall(numbers)}
+        points[name.removesuffix("_0")] = BindPoint(
+            number["group"], number["binding"], kind.strip(), space.removesuffix(", read")
         )
-    if not found:
+    if not points:
         raise ArgumentError("the program has no @group(…) @binding(…) variable")
-    return found
+    return points
 
 
 def override_ids(wgsl: str) -> dict[str, str]:
-    """Return the numbers of a program's override constants by name, as pipelines want them."""
+    """Return the ids of a program's override constants by name."""
     return {name: number for number, name in OVERRIDE.findall(wgsl)}

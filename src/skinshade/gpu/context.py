@@ -1,19 +1,17 @@
-"""Skin in anybody's wgpu renderer: tables, blocks and sampler, bound by the names in the user's shader."""
+"""Resources of a skin in a user's wgpu renderer, bound by their names in the shader."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, Protocol, Self
-
-import wgpu
 
 from .._core.errors import ShaderError
 from ..params import ScatterParams, SkinParams
 from ..params.packing import TYPE_NAMES, layout
 from .bindings import BindPoint, bind_points
-from .luts import HasLuts, LutTextures
+from .device import BufferUsage, GPUBuffer, GPUDevice, GPUSampler, GPUTexture
+from .luts import LutSource, LutTextures
 from .textures import buffer
 
 __all__ = ["SkinContext"]
@@ -24,131 +22,155 @@ SHORT_TYPES = {"vec4f": "vec4<f32>", "vec2f": "vec2<f32>"}
 
 
 def lut_names() -> tuple[str, ...]:
-    """Return the tables that ``ScatterBlock`` has axes for."""
+    """Return the names of the tables whose axes ``ScatterBlock`` contains."""
     fields = layout()["ScatterBlock"]["fields"]
     return tuple(name.removesuffix("_axes") for name in fields if name.endswith("_axes"))
 
 
-class SkinSource(HasLuts, Protocol):
-    """What a context is made of: `skinshade.shading.skin.Skin`."""
+class SkinSource(LutSource, Protocol):
+    """Material of a context: `skinshade.Skin`."""
 
     @property
     def params(self) -> SkinParams:
-        """Numbers of the material."""
+        """Parameters of the material."""
 
     def with_params(self, params: SkinParams) -> Self:
-        """Return the same with other parameters, or raise if its tables do not hold for them."""
+        """Return the skin with new `params`; raise if they need other tables."""
 
-    def scatter_params(self, fetches: int = ..., luts: Sequence[str] = ...) -> ScatterParams:
-        """Return numbers of the profile and of its tables."""
+    def scatter_params(self, fetches: int = ...) -> ScatterParams:
+        """Return the profile's numbers and the axes of its tables."""
 
 
 class SkinContext:
-    """One material's resources on a device, under the names of the shader library.
+    """Resources of a material on a device, under the names of the shader library.
 
-    A shader declares what it uses of ``skin_block`` (``SkinBlock``), ``scatter_block``
-    (``ScatterBlock``), ``ring_lut``, ``sphere_lut``, ``transfer_lut``, ``shadow_lut``, ``classic_lut``,
-    ``classic_shadow_lut`` and ``lut_sampler``, in any group and at any binding.
+    The names are ``skin_block`` (``SkinBlock``), ``scatter_block`` (``ScatterBlock``), ``ring_lut``,
+    ``sphere_lut``, ``transfer_lut``, ``shadow_lut``, ``classic_lut``, ``classic_shadow_lut`` and
+    ``lut_sampler``. A shader declares the resources that it uses, in any group and at any binding.
 
     Parameters
     ----------
     device
-        The renderer's own.
+        Device of the renderer.
     skin
-        Profile and parameters: ``skinshade.Skin.of(profile, params)``.
+        Material: ``skinshade.Skin.of(profile, params)``, with the tables that the shader declares.
     fetches
-        Of the normal map that the shader makes, 3 or 2.
+        Fetches of the normal map in the shader, 3 or 2.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> from skinshade.gpu.device import open_device
+    >>> skin = sk.Skin.of(sk.Profile.preset("skin-deon2007"), sk.SkinParams())
+    >>> context = sk.gpu.SkinContext(open_device(), skin)
+    >>> wgsl = "@group(1) @binding(0) var ring_lut : texture_2d<f32>;"
+    >>> [entry["binding"] for entry in context.entries(wgsl, group=1)]
+    [0]
     """
 
-    def __init__(self, device: wgpu.GPUDevice, skin: SkinSource, *, fetches: int = 3) -> None:
+    def __init__(self, device: GPUDevice, skin: SkinSource, *, fetches: int = 3) -> None:
         self.device, self.skin = device, skin
         self._fetches = fetches
-        self._luts = LutTextures(device, skin)
+        self._luts = LutTextures(device)
         self._checked: dict[str, dict[str, BindPoint]] = {}
 
     def bind_points(self, wgsl: str) -> dict[str, BindPoint]:
-        """Find which of the context's resources a shader wants, and where.
+        """Return the bind points of the context's resources in a shader.
 
         Parameters
         ----------
         wgsl
-            The whole text of the user's shader module.
+            Whole text of the user's shader module.
 
         Returns
         -------
         dict
-            Group, binding and type by name; only the names that this context fills.
+            Bind points by name, for the resources that this context provides.
 
         Raises
         ------
         ShaderError
-            If a name is declared with another type, a block with other fields than this version's, or
-            the shader declares none of them.
+            If a resource is declared with a wrong type, the fields of a block differ from this version,
+            or the shader declares none of the resources.
         """
         if wgsl not in self._checked:
             declared = bind_points(wgsl)
-            ours = {name: point for name, point in declared.items() if name in self._names}
-            if not ours:
+            points = {name: point for name, point in declared.items() if name in self._names}
+            if not points:
                 names = ", ".join(self._names)
                 raise ShaderError(
-                    f"the shader declares none of {names}; found {', '.join(declared)}"
+                    f"the shader declares none of {names}; it declares {', '.join(declared)}"
                 )
-            for name, point in ours.items():
+            for name, point in points.items():
                 _check(name, point, wgsl)
-            self._checked[wgsl] = ours
+            self._checked[wgsl] = points
         return self._checked[wgsl]
 
     def entries(self, wgsl: str, group: int) -> list[dict[str, Any]]:
-        """Return the bind group entries of a shader's group, for ``device.create_bind_group``.
+        """Return the entries of a shader's bind group, for ``device.create_bind_group``.
+
+        Parameters
+        ----------
+        wgsl
+            Whole text of the user's shader module.
+        group
+            Number of the bind group.
 
         Raises
         ------
         ShaderError
-            As `bind_points`, and if the group holds none of the context's resources.
+            If `bind_points` raises, or the group declares none of the context's resources.
         """
         points = self.bind_points(wgsl)
-        found = {name: point for name, point in points.items() if point.group == group}
-        if not found:
+        in_group = {name: point for name, point in points.items() if point.group == group}
+        if not in_group:
             groups = sorted({point.group for point in points.values()})
-            raise ShaderError(f"@group({group}) has nothing of skinshade's; groups {groups} have")
+            raise ShaderError(
+                f"@group({group}) declares no resource of skinshade; groups {groups} do"
+            )
         return [
             {"binding": point.binding, "resource": self._resource(name)}
-            for name, point in found.items()
+            for name, point in in_group.items()
         ]
 
     def write(self, params: SkinParams) -> None:
-        """Fill both blocks for the draws that are submitted next.
+        """Write both blocks; draws that are submitted later read the new values.
+
+        Parameters
+        ----------
+        params
+            New parameters of the material.
 
         Raises
         ------
         ArgumentError
-            If a parameter changes that the tables were made for.
+            If the tables depend on a parameter that changes.
         """
         self.skin = self.skin.with_params(params)
         self.device.queue.write_buffer(self.skin_block, 0, params.pack())
         self.device.queue.write_buffer(self.scatter_block, 0, self._scatter().pack())
 
     def _scatter(self) -> ScatterParams:
-        return self.skin.scatter_params(self._fetches, lut_names())
+        return self.skin.scatter_params(self._fetches)
 
     @cached_property
-    def skin_block(self) -> wgpu.GPUBuffer:
-        """The material's parameters, a uniform buffer."""
-        return buffer(self.device, self.skin.params.pack(), wgpu.BufferUsage.UNIFORM)
+    def skin_block(self) -> GPUBuffer:
+        """Uniform buffer of the material's parameters."""
+        return buffer(self.device, self.skin.params.pack(), BufferUsage.UNIFORM)
 
     @cached_property
-    def scatter_block(self) -> wgpu.GPUBuffer:
-        """The profile's numbers, a uniform buffer."""
-        return buffer(self.device, self._scatter().pack(), wgpu.BufferUsage.UNIFORM)
+    def scatter_block(self) -> GPUBuffer:
+        """Uniform buffer of the profile's numbers."""
+        return buffer(self.device, self._scatter().pack(), BufferUsage.UNIFORM)
 
     @cached_property
-    def lut_sampler(self) -> wgpu.GPUSampler:
-        """Linear, clamped."""
+    def lut_sampler(self) -> GPUSampler:
+        """Linear sampler, clamped at the edges."""
         return self.device.create_sampler(mag_filter="linear", min_filter="linear")
 
-    def lut(self, name: str) -> wgpu.GPUTexture:
-        """Return a table's texture by its name without ``_lut``."""
-        return self._luts[name]
+    def lut(self, name: str) -> GPUTexture:
+        """Return the texture of a table by its `name` without ``_lut``."""
+        return self._luts.texture(name, self.skin)
 
     @cached_property
     def _names(self) -> tuple[str, ...]:
@@ -163,38 +185,42 @@ class SkinContext:
 
 
 def _check(name: str, point: BindPoint, wgsl: str) -> None:
-    where = f"@group({point.group}) @binding({point.binding}) {name}"
+    """Raise unless a bind point has the type of the resource with its name."""
+    location = f"@group({point.group}) @binding({point.binding}) {name}"
     if name in BLOCK_NAMES:
         if point.space != "uniform":
-            raise ShaderError(f"{where}: is var<{point.space}>; declare it var<uniform>")
-        _check_fields(where, BLOCK_NAMES[name], point.kind, wgsl)
+            raise ShaderError(f"{location}: is var<{point.space}>; declare it var<uniform>")
+        _check_fields(location, BLOCK_NAMES[name], point.kind, wgsl)
         return
-    wanted = "sampler" if name == SAMPLER else "texture_2d<f32>"
-    if point.kind.replace(" ", "") != wanted:
-        raise ShaderError(f"{where}: is {point.kind}; declare it {wanted}")
+    expected = "sampler" if name == SAMPLER else "texture_2d<f32>"
+    if point.kind.replace(" ", "") != expected:
+        raise ShaderError(f"{location}: is {point.kind}; declare it {expected}")
 
 
-def _check_fields(where: str, block: str, kind: str, wgsl: str) -> None:
-    """Raise unless the struct has this version's fields, in its order and types."""
-    found = re.search(rf"struct\s+{re.escape(kind)}\s*\{{(.*?)\}}", wgsl, re.DOTALL)
-    if found is None:
-        raise ShaderError(f"{where}: is {kind}, which is no struct of the shader; paste {block}")
-    text = re.sub(r"//[^\n]*", "", found.group(1))
+def _check_fields(location: str, block: str, kind: str, wgsl: str) -> None:
+    """Raise unless the struct has the fields of this version, in order and type."""
+    struct = re.search(rf"struct\s+{re.escape(kind)}\s*\{{(.*?)\}}", wgsl, re.DOTALL)
+    if struct is None:
+        raise ShaderError(f"{location}: is {kind}, which the shader does not define; paste {block}")
+    text = re.sub(r"//[^\n]*", "", struct.group(1))
     declared = [
-        (name.removesuffix("_0"), SHORT_TYPES.get(of.replace(" ", ""), of.replace(" ", "")))
-        for name, of in re.findall(r"(\w+)\s*:\s*([\w<> ]+?)\s*(?:,|;|$)", text)
+        (
+            name.removesuffix("_0"),
+            SHORT_TYPES.get(type_name.replace(" ", ""), type_name.replace(" ", "")),
+        )
+        for name, type_name in re.findall(r"(\w+)\s*:\s*([\w<> ]+?)\s*(?:,|;|$)", text)
     ]
-    described = layout()[block]["fields"]
-    by_offset = sorted(described, key=lambda name: described[name]["offset"])
-    wanted = [(name, TYPE_NAMES["wgsl"][described[name]["kind"]]) for name in by_offset]
-    for at, (want_name, want_type) in enumerate(wanted):
-        name, of = declared[at] if at < len(declared) else ("nothing", "")
-        if (name, of) != (want_name, want_type):
+    fields = layout()[block]["fields"]
+    by_offset = sorted(fields, key=lambda name: fields[name]["offset"])
+    expected = [(name, TYPE_NAMES["wgsl"][fields[name]["kind"]]) for name in by_offset]
+    for index, (expected_name, expected_type) in enumerate(expected):
+        name, type_name = declared[index] if index < len(declared) else ("nothing", "")
+        if (name, type_name) != (expected_name, expected_type):
             raise ShaderError(
-                f"{where}: field {at} of {kind} is {name} {of}".rstrip()
-                + f"; this version's {block} has {want_name} : {want_type} there"
+                f"{location}: field {index} of {kind} is {name} {type_name}".rstrip()
+                + f"; this version's {block} has {expected_name} : {expected_type} there"
             )
-    if len(declared) > len(wanted):
+    if len(declared) > len(expected):
         raise ShaderError(
-            f"{where}: {kind} has a field {declared[len(wanted)][0]} that {block} does not have"
+            f"{location}: {kind} has a field {declared[len(expected)][0]} that {block} does not have"
         )

@@ -1,4 +1,4 @@
-"""Adapters and devices: which GPU, and what it can do."""
+"""Adapters and devices. Only this file imports wgpu; other files import the names of wgpu from here."""
 
 from __future__ import annotations
 
@@ -7,65 +7,105 @@ import tempfile
 from functools import cache
 
 import wgpu
+from wgpu import (
+    BufferUsage,
+    GPUAdapter,
+    GPUBindGroup,
+    GPUBindGroupLayout,
+    GPUBuffer,
+    GPUCommandEncoder,
+    GPUDevice,
+    GPUError,
+    GPURenderPassEncoder,
+    GPURenderPipeline,
+    GPUSampler,
+    GPUShaderModule,
+    GPUTexture,
+    ShaderStage,
+    TextureUsage,
+)
 
 from .._core.errors import BackendError
 
-__all__ = ["adapters", "open_device"]
+__all__ = [
+    "BufferUsage",
+    "GPUAdapter",
+    "GPUBindGroup",
+    "GPUBindGroupLayout",
+    "GPUBuffer",
+    "GPUCommandEncoder",
+    "GPUDevice",
+    "GPUError",
+    "GPURenderPassEncoder",
+    "GPURenderPipeline",
+    "GPUSampler",
+    "GPUShaderModule",
+    "GPUTexture",
+    "ShaderStage",
+    "TextureUsage",
+    "adapters",
+    "open_device",
+]
 
-WANTED = ("float32-filterable", "timestamp-query")
-"""The first is for tables in full, with which the parity of the library is measured."""
+FEATURES = ("float32-filterable", "timestamp-query")
+"""Optional features that are requested if an adapter has them: filters of float32 textures, for tables of
+full precision in the parity tests, and times of passes."""
 PREFERENCE = ("DiscreteGPU", "IntegratedGPU", "VirtualGPU", "CPU", "Unknown")
+"""Types of adapters, in the order in which they are chosen."""
 
 
 @cache
-def adapters() -> list[wgpu.GPUAdapter]:
-    """Return the adapters that can draw, real hardware first, software last."""
-    # Without it Mesa's software driver complains on standard error.
+def adapters() -> list[GPUAdapter]:
+    """Return the usable adapters, hardware first, software last."""
+    # Mesa's software driver prints a warning if this variable is not set.
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
     try:
-        found = wgpu.gpu.enumerate_adapters_sync()
-    except Exception:  # the library raises whatever its loader met
+        candidates = wgpu.gpu.enumerate_adapters_sync()
+    except Exception:  # wgpu raises many types, depending on the loader
         return []
-    # OpenGL cannot read a storage buffer in a vertex shader everywhere.
-    usable = [each for each in found if each.info["backend_type"] != "OpenGL"]
-    return sorted(usable, key=lambda each: PREFERENCE.index(_kind(each)))
+    # Some OpenGL drivers cannot read a storage buffer in a vertex shader.
+    usable = [adapter for adapter in candidates if adapter.info["backend_type"] != "OpenGL"]
+    return sorted(usable, key=lambda adapter: PREFERENCE.index(_kind(adapter)))
 
 
-def _kind(adapter: wgpu.GPUAdapter) -> str:
+def _kind(adapter: GPUAdapter) -> str:
     kind = str(adapter.info["adapter_type"])
     return kind if kind in PREFERENCE else "Unknown"
 
 
-def open_device(name: str | None = None, *, software: bool = True) -> wgpu.GPUDevice:
-    """Open the best adapter.
+def open_device(name: str | None = None, *, software: bool = True) -> GPUDevice:
+    """Open a device on the best adapter.
 
     Parameters
     ----------
     name
         Part of the adapter's name, in any case; any adapter if None.
     software
-        Whether an adapter that is no hardware will do.
+        Accept software adapters.
 
     Raises
     ------
     BackendError
-        If there is none, or it refuses.
+        If there is no such adapter, or it cannot open a device.
     """
-    found = [each for each in adapters() if software or _kind(each) != "CPU"]
-    if not found:
-        asked = f" where {name!r} was asked for" if name else ""
+    usable = [adapter for adapter in adapters() if software or _kind(adapter) != "CPU"]
+    if not usable:
+        requested = f" for {name!r}" if name else ""
         raise BackendError(
-            f"backend gpu: no adapter was found{asked}; install a GPU driver or Mesa's lavapipe,"
+            f"backend gpu: no adapter was found{requested}; install a GPU driver or Mesa's lavapipe,"
             " or use --backend cpu"
         )
-    chosen = [each for each in found if name is None or name.lower() in each.info["device"].lower()]
-    if not chosen:
-        there = ", ".join(each.info["device"] for each in found)
-        raise BackendError(f"no adapter is called {name!r}; there are {there}")
-    adapter = chosen[0]
+    names = [adapter.info["device"] for adapter in usable]
+    for adapter, device_name in zip(usable, names, strict=True):
+        if name is None or name.lower() in device_name.lower():
+            return _request(adapter)
+    raise BackendError(f"no adapter is called {name!r}; there are {', '.join(names)}")
+
+
+def _request(adapter: GPUAdapter) -> GPUDevice:
     try:
         return adapter.request_device_sync(
-            required_features=[each for each in WANTED if each in adapter.features]
+            required_features=[feature for feature in FEATURES if feature in adapter.features]
         )
-    except Exception as error:  # a driver's own words
+    except Exception as error:  # drivers raise many types
         raise BackendError(f"{adapter.info['device']}: gives no device ({error})") from None

@@ -4,38 +4,35 @@ from __future__ import annotations
 
 from typing import Protocol
 
-import wgpu
-
 from ..lut import Lut
+from .device import GPUDevice, GPUTexture
 from .textures import filtered_texture
 
-__all__ = ["HasLuts", "LutTextures"]
+__all__ = ["LutSource", "LutTextures"]
 
 
-class HasLuts(Protocol):
-    """What makes tables: `skinshade.shading.skin.Skin`."""
+class LutSource(Protocol):
+    """Source of lookup tables, such as `skinshade.Skin`."""
 
     def lut(self, name: str) -> Lut:
-        """Return a table by its name in shaders."""
+        """Return a table by its `name` in shaders without ``_lut``."""
 
 
 class LutTextures:
-    """Tables by their names in shaders, each uploaded when it is first asked for.
+    """Textures of tables by name; each is uploaded at its first use.
 
     Parameters
     ----------
     device
-        They live on.
-    source
-        Makes them.
+        Device of the textures.
     """
 
-    def __init__(self, device: wgpu.GPUDevice, source: HasLuts) -> None:
-        self._device, self._source = device, source
-        self._textures: dict[str, wgpu.GPUTexture] = {}
+    def __init__(self, device: GPUDevice) -> None:
+        self._device = device
+        self._textures: dict[str, GPUTexture] = {}
 
-    def __getitem__(self, name: str) -> wgpu.GPUTexture:
-        """Return one table's texture."""
+    def texture(self, name: str, source: LutSource) -> GPUTexture:
+        """Return the texture of the table `name` of a `source`."""
         if name not in self._textures:
-            self._textures[name] = filtered_texture(self._device, [self._source.lut(name).values])
+            self._textures[name] = filtered_texture(self._device, [source.lut(name).values])
         return self._textures[name]

@@ -1,4 +1,4 @@
-"""A WGSL program on a device: bound by the names in its text, specialised by its constants."""
+"""WGSL programs on a device, bound by names and specialised by override constants."""
 
 from __future__ import annotations
 
@@ -6,9 +6,15 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-import wgpu
-
 from .bindings import bind_points, override_ids
+from .device import (
+    GPUBindGroup,
+    GPUBindGroupLayout,
+    GPUDevice,
+    GPURenderPipeline,
+    GPUShaderModule,
+    ShaderStage,
+)
 
 __all__ = ["Program"]
 
@@ -16,26 +22,24 @@ DEPTH_FORMAT = "depth32float"
 
 
 class Program:
-    """A program with one group of bindings.
+    """WGSL program with one bind group.
 
     Parameters
     ----------
     device
-        It runs on.
+        Device of the program.
     text
         WGSL with ``vertex_main`` and ``fragment_main``.
     unfiltered
-        Names of textures that are read texel by texel, and of samplers that do.
+        Names of textures and samplers that are read without a filter.
     """
 
-    def __init__(
-        self, device: wgpu.GPUDevice, text: str, *, unfiltered: Sequence[str] = ()
-    ) -> None:
+    def __init__(self, device: GPUDevice, text: str, *, unfiltered: Sequence[str] = ()) -> None:
         self.device = device
         self.points = bind_points(text)
         self._text = text
         self._unfiltered = unfiltered
-        self._pipelines: dict[Any, wgpu.GPURenderPipeline] = {}
+        self._pipelines: dict[Any, GPURenderPipeline] = {}
 
     def pipeline(
         self,
@@ -46,33 +50,34 @@ class Program:
         depth: str | None = None,
         cull: str = "none",
         samples: int = 1,
-    ) -> wgpu.GPURenderPipeline:
-        """Return the pipeline of these constants; made once.
+    ) -> GPURenderPipeline:
+        """Return the pipeline with the given properties; each pipeline is created once.
 
         Parameters
         ----------
         constants
             Override constants by name.
         targets
-            Formats drawn to; without any the fragment's stage is left out.
+            Formats of the colour targets; if there are none, the pipeline has no fragment stage.
         vertex_floats
-            Floats of a vertex, a multiple of 4.
+            Floats of a vertex, a multiple of 4; 0 if there is no vertex buffer.
         depth
-            How fragments pass, such as ``less``; ``none`` writes no depth but needs it less or equal.
+            Depth test, such as ``less``, which writes depths; ``none``, which passes fragments at or before
+            the stored depth and writes no depth; or None for no depth buffer.
         cull
-            Faces that are left out.
+            Faces that are not drawn: ``none``, ``front`` or ``back``.
         samples
-            1 or 4 a pixel.
+            Samples per pixel, 1 or 4.
         """
         key = (*constants.items(), *targets, vertex_floats, depth, cull, samples)
         if key not in self._pipelines:
-            self._pipelines[key] = self._made(
+            self._pipelines[key] = self._create(
                 constants, targets, vertex_floats, depth, cull, samples
             )
         return self._pipelines[key]
 
-    def bind(self, resources: Mapping[str, Any]) -> wgpu.GPUBindGroup:
-        """Return a group of these resources by name."""
+    def bind(self, resources: Mapping[str, Any]) -> GPUBindGroup:
+        """Return a bind group of `resources`, given by name."""
         entries = [
             {"binding": point.binding, "resource": resources[name]}
             for name, point in self.points.items()
@@ -80,13 +85,13 @@ class Program:
         return self.device.create_bind_group(layout=self._layout, entries=entries)
 
     @cached_property
-    def _module(self) -> wgpu.GPUShaderModule:
+    def _module(self) -> GPUShaderModule:
         return self.device.create_shader_module(code=self._text)
 
     @cached_property
-    def _layout(self) -> wgpu.GPUBindGroupLayout:
-        """Every bind point of the text, whether a variant uses it or not."""
-        stages = wgpu.ShaderStage.FRAGMENT | wgpu.ShaderStage.VERTEX
+    def _layout(self) -> GPUBindGroupLayout:
+        """Layout of all bind points, including those that a pipeline does not use."""
+        stages = ShaderStage.FRAGMENT | ShaderStage.VERTEX
         entries = []
         for name, point in self.points.items():
             entry: dict[str, Any] = {"binding": point.binding, "visibility": stages}
@@ -103,7 +108,7 @@ class Program:
             entries.append(entry)
         return self.device.create_bind_group_layout(entries=entries)
 
-    def _made(
+    def _create(
         self,
         constants: Mapping[str, int],
         targets: Sequence[str],
@@ -111,7 +116,7 @@ class Program:
         depth: str | None,
         cull: str,
         samples: int,
-    ) -> wgpu.GPURenderPipeline:
+    ) -> GPURenderPipeline:
         ids = override_ids(self._text)
         values = {ids[name]: value for name, value in constants.items()}
         stage = {"module": self._module, "constants": values}
@@ -120,7 +125,7 @@ class Program:
             for index in range(vertex_floats // 4)
         ]
         buffers = [{"array_stride": 4 * vertex_floats, "attributes": attributes}]
-        described: dict[str, Any] = {
+        descriptor: dict[str, Any] = {
             "layout": self.device.create_pipeline_layout(bind_group_layouts=[self._layout]),
             "vertex": {
                 **stage,
@@ -131,12 +136,12 @@ class Program:
             "multisample": {"count": samples},
         }
         if targets:
-            formats = [{"format": each} for each in targets]
-            described["fragment"] = {**stage, "entry_point": "fragment_main", "targets": formats}
+            formats = [{"format": target} for target in targets]
+            descriptor["fragment"] = {**stage, "entry_point": "fragment_main", "targets": formats}
         if depth is not None:
-            described["depth_stencil"] = {
+            descriptor["depth_stencil"] = {
                 "format": DEPTH_FORMAT,
                 "depth_write_enabled": depth != "none",
                 "depth_compare": "less-equal" if depth == "none" else depth,
             }
-        return self.device.create_render_pipeline(**described)
+        return self.device.create_render_pipeline(**descriptor)

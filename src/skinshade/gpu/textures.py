@@ -1,46 +1,46 @@
-"""Pictures, mips and tables as textures."""
+"""Textures of images, mips and tables, and buffers of arrays."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-import wgpu
 from numpy.typing import NDArray
 
 from .._core.arrays import ImageArray
+from .device import BufferUsage, GPUBuffer, GPUDevice, GPUTexture, TextureUsage
 
 __all__ = ["buffer", "filtered_texture", "loaded_texture", "rgba"]
 
-USAGE = wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST
+USAGE = TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_DST
 
 
-def buffer(device: wgpu.GPUDevice, data: bytes, usage: int) -> wgpu.GPUBuffer:
-    """Return a buffer with bytes in it that can be written again."""
-    return device.create_buffer_with_data(data=data, usage=usage | wgpu.BufferUsage.COPY_DST)
+def buffer(device: GPUDevice, data: bytes, usage: int) -> GPUBuffer:
+    """Return a buffer with data; the buffer can be written again."""
+    return device.create_buffer_with_data(data=data, usage=usage | BufferUsage.COPY_DST)
 
 
-def filtered_texture(device: wgpu.GPUDevice, levels: list[ImageArray]) -> wgpu.GPUTexture:
-    """Return mip levels (h, w, C), or the one of a table, as half floats, which every device filters.
+def filtered_texture(device: GPUDevice, levels: list[ImageArray]) -> GPUTexture:
+    """Return a texture of mip levels (h, w, C) in half floats, which every device can filter.
 
-    Tables in them change a head by .03 of 255 at most.
+    Tables in half floats change the picture of a head by at most .03 of 255.
     """
     return _texture(device, [rgba(level) for level in levels], "rgba16float")
 
 
-def loaded_texture(device: wgpu.GPUDevice, values: ImageArray) -> wgpu.GPUTexture:
-    """Return a picture (H, W, 3) as float32, for programs that load its texels."""
+def loaded_texture(device: GPUDevice, values: ImageArray) -> GPUTexture:
+    """Return a texture of an image (H, W, 3) in float32, for programs that load single texels."""
     return _texture(device, [rgba(values)], "rgba32float")
 
 
 def rgba(values: ImageArray, kind: type[np.floating[Any]] = np.float32) -> NDArray[Any]:
-    """Return (..., C) with as many channels as textures have, 4; what is not there is 1."""
+    """Return values (..., C) with four channels; added channels are 1."""
     full = np.ones((*values.shape[:-1], 4), dtype=kind)
     full[..., : values.shape[-1]] = values
     return full
 
 
-def _texture(device: wgpu.GPUDevice, levels: list[ImageArray], kind: str) -> wgpu.GPUTexture:
+def _texture(device: GPUDevice, levels: list[ImageArray], kind: str) -> GPUTexture:
     height, width = levels[0].shape[:2]
     texture = device.create_texture(
         size=(width, height, 1), format=kind, usage=USAGE, mip_level_count=len(levels)

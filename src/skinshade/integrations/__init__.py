@@ -1,1 +1,1 @@
-"""skinshade in other people's renderers; each module needs the one it is named after."""
+"""Materials for pygfx and moderngl. Each module needs the library of the same name."""

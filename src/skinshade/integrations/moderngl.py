@@ -1,4 +1,4 @@
-"""moderngl: the library compiled into a user's own program, its blocks and tables set."""
+"""Shader library in a user's moderngl program, with its blocks and tables."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from .._core.errors import DependencyError, ShaderError
+from .._core.generated import generated_text
 from ..params import SkinParams
 from ..params.packing import layout
 from ..sdk.languages import LANGUAGES
-from ..shaders import generated_text
-from ..shading.skin import LUTS, Skin
+from ..shading.skin import Skin
+from ..shading.tables import LUTS
 
 try:
     import moderngl
@@ -28,15 +29,15 @@ VERSION = re.compile(r"\A\s*#version[^\n]*\n")
 
 
 def shader_source(text: str) -> str:
-    """Return a fragment shader with the library put after its ``#version`` line.
+    """Return a fragment shader with the library inserted after its ``#version`` line.
 
-    It then has every function ``skin_…``, the blocks ``skin_block`` and ``scatter_block``, and the
-    tables ``ring_lut``, ``sphere_lut``, ``transfer_lut`` and ``shadow_lut``.
+    The shader can then call every function ``skin_…`` and read the blocks ``skin_block`` and
+    ``scatter_block`` and the tables ``ring_lut``, ``sphere_lut``, ``transfer_lut`` and ``shadow_lut``.
 
     Parameters
     ----------
     text
-        GLSL, 3.30 or later, or ES 3.00.
+        Fragment shader in GLSL, 3.30 or later, or ES 3.00.
 
     Raises
     ------
@@ -51,37 +52,37 @@ def shader_source(text: str) -> str:
     declared = "\n".join(form.declared())
     line = version.group().count("\n") + 1
     rest = text[version.end() :]
-    # Complaints of the compiler keep the user's own line numbers.
+    # With #line, compiler messages refer to the lines of the user's text.
     return "\n".join(
         [version.group().strip(), form.prologue, *parts, declared, f"#line {line}", rest]
     )
 
 
 class SkinProgram:
-    """A program whose fragment shader calls the library, with one material's blocks and tables.
+    """A program whose fragment shader calls the library, with the blocks and tables of one material.
 
     Parameters
     ----------
     context
-        The user's.
+        moderngl context of the user.
     skin
-        Profile and parameters: ``skinshade.Skin.of(profile, params)``.
+        Material: ``skinshade.Skin.of(profile, params)``, with the weights of `fetches`.
     vertex_shader, fragment_shader
-        GLSL; the library is put into the fragment shader.
+        Shaders in GLSL. The library is inserted into the fragment shader.
     fetches
-        Of the normal map that the shader makes, 3 or 2.
+        Number of normal map fetches in the shader, 3 or 2.
     first_texture_unit, first_uniform_block
-        Where tables and blocks are bound, upwards; the user's own stay below.
+        First units of the tables and of the blocks. Lower units stay free for the user.
 
     Attributes
     ----------
     program
-        The ``moderngl.Program``, for the user's own uniforms and vertex arrays.
+        ``moderngl.Program``, for uniforms and vertex arrays of the user.
 
     Raises
     ------
     ShaderError
-        If a program does not compile, or declares a block or a table otherwise than the library.
+        If the program does not compile, or declares a block or a table that differs from the library's.
     """
 
     def __init__(
@@ -111,12 +112,12 @@ class SkinProgram:
         }
 
     def write(self, params: SkinParams) -> None:
-        """Fill both blocks for the draws that follow.
+        """Write both blocks with new `params`.
 
         Raises
         ------
         ArgumentError
-            If a parameter changes that the tables were made for.
+            If the tables depend on a parameter that changes.
         """
         self.skin = self.skin.with_params(params)
         for name, packed in self._packed().items():
@@ -128,34 +129,37 @@ class SkinProgram:
         return {"SkinUniforms": self.skin.params.pack(), "ScatterUniforms": scatter.pack()}
 
     def use(self) -> None:
-        """Bind blocks and tables; before a draw, if anything else has been bound since."""
-        for at, (name, texture) in enumerate(self._textures.items()):
-            texture.use(self._units + at)
-            self._member(f"{name}_lut").value = self._units + at
-        for at, (name, block) in enumerate(self._blocks.items()):
-            self._member(name).binding = self._slots + at
-            block.bind_to_uniform_block(self._slots + at)
+        """Bind blocks and tables. Call this before a draw if other resources were bound to their units."""
+        for unit, (name, texture) in enumerate(self._textures.items(), self._units):
+            texture.use(unit)
+            self._member(f"{name}_lut").value = unit
+        for slot, (name, block) in enumerate(self._blocks.items(), self._slots):
+            self._member(name).binding = slot
+            block.bind_to_uniform_block(slot)
 
     def _tables_used(self) -> Sequence[str]:
-        """Tables that the compiler kept."""
+        """Return the names of the tables that the compiled program reads."""
         used = [name for name in LUTS if f"{name}_lut" in self.program]
         for name in used:
             kind = getattr(self._member(f"{name}_lut"), "gl_type", None)
             if kind != SAMPLER_2D:
-                raise ShaderError(f"{name}_lut: is not a sampler2D; do not declare it yourself")
+                raise ShaderError(
+                    f"{name}_lut: is not a sampler2D; remove its declaration from the shader"
+                )
         return used
 
     def _member(self, name: str) -> Any:
-        # Its type says nothing of which kind of member a name is.
+        # The type hints of `moderngl.Program` do not distinguish uniforms from blocks.
         return self.program[name]
 
     def _uses_block(self, name: str) -> bool:
         if name not in self.program:
             return False
-        size, wanted = self._member(name).size, layout()[BLOCKS[name]]["size"]
-        if size != wanted:
+        size, expected = self._member(name).size, layout()[BLOCKS[name]]["size"]
+        if size != expected:
             raise ShaderError(
-                f"{name}: the driver gives it {size} bytes; this version's has {wanted}"
+                f"{name}: the shader's block has {size} bytes; the library's has {expected}; remove its"
+                " declaration from the shader"
             )
         return True
 

@@ -1,4 +1,4 @@
-"""The shadow table: light that bleeds across the edge of a shadow (MODEL §3)."""
+"""Shadow tables: light that bleeds across the edge of a shadow (MODEL §3)."""
 
 from __future__ import annotations
 
@@ -14,20 +14,27 @@ from .table import Axis, Lut, checked_size
 __all__ = ["build_shadow_lut", "diffused_smoothstep", "inverse_smoothstep", "shadow_axes"]
 
 FAR = 6.0
-"""Widths from the kinks of a smoothstep beyond which its blur is a polynomial to 1e-9."""
+"""Distance from a kink of the smoothstep, in widths s, beyond which the blur is a polynomial within 1e-9."""
 
 
 def inverse_smoothstep(u: FloatArray) -> FloatArray:
-    """Return p with 3p² − 2p³ = u, exactly, for u in 0..1."""
+    """Return p with 3p² − 2p³ = u for u in 0..1: the exact inverse of a smoothstep."""
     result: FloatArray = 0.5 - np.sin(np.arcsin(np.clip(1.0 - 2.0 * u, -1.0, 1.0)) / 3.0)
     return result
 
 
 def diffused_smoothstep(p: FloatArray, s: FloatArray) -> FloatArray:
-    """Return smoothstep ⊗ Gaussian of width s > 0, at p, both in units of the step's width.
+    """Return a smoothstep, convolved with a Gaussian, at p.
 
-    A smoothstep is 6H₃ − 12H₄ at its lower kink and 6H₃ + 12H₄ at its upper one, H_n being the n-th
-    repeated integral of the Gaussian; each pair is gathered here into one Φ and one φ term.
+    With H_n, the n-th repeated integral of the Gaussian, the result is 6H₃ − 12H₄ at the lower kink plus
+    6H₃ + 12H₄ at the upper kink. The terms are collected into one Φ and one φ term per kink.
+
+    Parameters
+    ----------
+    p
+        Positions; the step is from 0 to 1.
+    s
+        Standard deviations of the Gaussian in widths of the step, > 0.
     """
     p, s = np.broadcast_arrays(p, s)
     lower = _kink(p, s, -1.0)
@@ -36,7 +43,7 @@ def diffused_smoothstep(p: FloatArray, s: FloatArray) -> FloatArray:
 
 
 def _kink(p: FloatArray, s: FloatArray, side: float) -> FloatArray:
-    # Past FAR widths Φ is 0 or 1 and φ is 0, so only the polynomial is left, or nothing.
+    # Beyond FAR widths Φ is 0 or 1 and φ is 0: the polynomial remains, or 0.
     z = p / s
     p2, s2 = p * p, s * s
     result: FloatArray = np.where(z > 0.0, 3.0 * (p2 + s2) + side * 2.0 * p * (p2 + 3.0 * s2), 0.0)
@@ -55,7 +62,7 @@ def shadow_axes(width_mm: tuple[float, float]) -> tuple[Axis, Axis]:
     Raises
     ------
     ArgumentError
-        If the widths are not positive and rising.
+        If the widths are not positive and increasing.
     """
     least, greatest = as_floats("width_mm", width_mm, (2,))
     if not 0.0 < least < greatest:
@@ -72,46 +79,53 @@ def build_shadow_lut(
     width_mm: tuple[float, float] = (8.0, 100.0),
     sharpening: float = 10.0,
 ) -> Lut:
-    """Tabulate the shadow seen by the eye over that of a wide filter (columns) and 1/width (rows).
+    """Tabulate the diffused shadow over the value of a wide filter (columns) and 1/width (rows).
 
     Parameters
     ----------
     profile
-        Any profile; one that is no Gaussian mixture enters through its fit.
+        Any profile; profiles other than Gaussians enter through `Profile.gaussian_fit`.
     size
         (width, height) in texels, 2..16384.
     width_mm
         Least and greatest width of the filter on the surface, mm.
     sharpening
-        How many times narrower than the filter the geometric shadow's edge shall be, 1..100.
+        Factor by which the shadow's edge is narrower than the filter, 1..100.
 
     Returns
     -------
     Lut
-        0 at one end of each row, 1 at the other, rising between; within 1e-6 of the integral.
+        Rows increase from 0 to 1; values are within 1e-6 of the integral.
 
     Raises
     ------
     ArgumentError
         If a size, width or sharpening is out of range.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> lut = sk.build_shadow_lut(sk.Profile.preset("skin-deon2007"), size=(256, 32))
+    >>> lut.sample(0.5, 1 / 20).round(2)  # the middle of the edge of a filter of 20 mm
+    array([0.5, 0.5, 0.5])
     """
     width, height = checked_size(size)
     sharp = float(as_floats("sharpening", sharpening, (), low=1.0, high=100.0))
     columns, rows = shadow_axes(width_mm)
     u = np.concatenate([columns.centres(width), [0.0, 1.0]])
     p = (inverse_smoothstep(u) - 0.5) * sharp + 0.5
-    mixture = profile.mixture
+    mixture, _ = profile.gaussian_fit()
     light = np.zeros((height, u.size, 3))
     for sigma, weights in zip(mixture.sigmas_mm, mixture.weights, strict=True):
         step = diffused_smoothstep(p[None, :], (sigma * sharp * rows.centres(height))[:, None])
         for channel in np.flatnonzero(weights):
             light[..., channel] += weights[channel] * step
     dark, full = light[:, -2, None], light[:, -1, None]
-    pinned = np.clip((light[:, :width] - dark) / (full - dark), 0.0, 1.0)
+    values = np.clip((light[:, :width] - dark) / (full - dark), 0.0, 1.0)
     provenance = {
         "profile": profile.name,
         "rms_radius_mm": profile.rms_radius_mm.tolist(),
         "sharpening": sharp,
         "version": __version__,
     }
-    return Lut(pinned.astype(np.float32), "shadow", columns, rows, provenance)
+    return Lut(values.astype(np.float32), "shadow", columns, rows, provenance)

@@ -1,48 +1,53 @@
-"""Diffuse light on a uniformly curved surface, exactly (MODEL §2).
+"""Diffuse light on a uniformly curved surface, to rounding (MODEL §2).
 
-Light that max(0, cosθ) leaves on a sphere of curvature κ, diffused by a profile, is the zonal series
+The irradiance max(0, cosθ) on a sphere of curvature κ, diffused by a profile, is the zonal series
 Σ a_l T(√(l(l+1))κ) P_l(cosθ); on a cylinder (the ring) it is the Fourier series Σ f_n T(nκ) cos nθ.
 
-Both converge like T alone, and a lobe that is narrow against the radius needs thousands of terms.
-But a narrow Gaussian only rounds the kink at the terminator: with x = π/2 − θ and s = σκ it leaves
-the lit side as e^{−s²} sin x (ring: e^{−s²/2} sin x) and adds one even bump. The sphere's heat kernel
-in x is that of a line after the substitution u = w/√cos x, up to s⁴, whence the closed form in
-`terminator_bump`. So the lobes of a Gaussian mixture are split at `NARROW_S`, and any other profile
-is its Gaussian fit plus the series of the small remainder T − T_fit.
+Both series converge as fast as T decays, so that lobes much narrower than the radius need thousands of
+terms. A narrow Gaussian, however, only rounds the kink at the terminator: with x = π/2 − θ and s = σκ the
+lit side becomes e^{−s²} sin x (ring: e^{−s²/2} sin x), and one even bump is added. Up to s⁴, the sphere's
+heat kernel in x is the heat kernel of a line after the substitution u = w/√cos x, which gives the closed
+form in `terminator_bump`. Lobes of a Gaussian mixture are therefore split at `NARROW_S`, and any other
+profile is its Gaussian fit plus the series of the small remainder T − T_fit.
 """
 
 from __future__ import annotations
-
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
 from .._core.arrays import FloatArray
+from .._core.choice import Choice
 from ..profile import Profile
 
 __all__ = ["DiffusionGeometry", "diffuse_grid"]
 
-DiffusionGeometry = Literal["sphere", "ring"]
 
 NARROW_S = 0.04
-"""s = σκ below which the closed form (error s⁵/8 < 2e-8) replaces the series."""
+"""Value of s = σκ below which the closed form (error s⁵/8 < 2e-8) replaces the series."""
 TERMS = 152
-"""Terms for every lobe with s ≥ NARROW_S: e^{−(s·TERMS)²/2} < 1e-8."""
+"""Terms of the series for lobes with s ≥ NARROW_S: e^{−(s·TERMS)²/2} < 1e-8."""
 REMAINDER_TERMS = 768
-"""Terms for T − T_fit, which is ≤ 5e-4: what is cut off is below 5e-4/768."""
+"""Terms for T − T_fit, which is ≤ 5e-4: the omitted terms are below 5e-4/768."""
 BUMP_REACH = 6.5
-"""Widths s beyond which the bump is below 1e-12."""
+"""Distance in widths s beyond which the bump is below 1e-12."""
+
+
+class DiffusionGeometry(Choice):
+    """Body over which light diffuses: a sphere, or a cylinder lit across its axis."""
+
+    SPHERE = "sphere"
+    RING = "ring"
 
 
 def diffuse_grid(
     profile: Profile,
     cos_theta: FloatArray,
     curvature_per_mm: FloatArray,
-    kernel: DiffusionGeometry = "sphere",
+    kernel: DiffusionGeometry = DiffusionGeometry.SPHERE,
 ) -> FloatArray:
-    """Return the diffused light D over every pair of curvature and N·L.
+    """Return the diffused light D for every pair of curvature and N·L.
 
     Parameters
     ----------
@@ -53,20 +58,20 @@ def diffuse_grid(
     curvature_per_mm
         (m,) 1/mm, ≥ 0.
     kernel
-        ``sphere``, or ``ring`` for a cylinder lit across its axis.
+        ``sphere``, or ``ring``, a cylinder lit across its axis.
 
     Returns
     -------
     (m, n, 3)
-        Irradiance over that of a surface facing the light; within 1e-6 of the integral.
+        Irradiance relative to a surface that faces the light, within 1e-6 of the integral.
     """
-    mixture = profile.mixture
+    mixture, residual = profile.gaussian_fit()
     s = mixture.sigmas_mm * curvature_per_mm[:, None]
     narrow = s < NARROW_S
-    exact = profile.mixture_residual == 0.0
+    exact = residual == 0.0
     terms = TERMS if exact else REMAINDER_TERMS
     order = np.arange(terms, dtype=np.float64)
-    frequency = np.sqrt(order * (order + 1.0)) if kernel == "sphere" else order
+    frequency = np.sqrt(order * (order + 1.0)) if kernel == DiffusionGeometry.SPHERE else order
     k = curvature_per_mm[:, None] * frequency
 
     transfer = np.zeros((curvature_per_mm.size, terms, 3))
@@ -79,7 +84,7 @@ def diffuse_grid(
     if not exact:
         transfer += profile.transfer(k) - mixture.transfer(k)
 
-    if kernel == "sphere":
+    if kernel == DiffusionGeometry.SPHERE:
         series = _zonal_coefficients(terms)[:, None] * _legendre(terms, cos_theta)
     else:
         series = _cosine_coefficients(terms)[:, None] * np.cos(
@@ -94,13 +99,13 @@ def diffuse_grid(
 
 
 def terminator_bump(x: FloatArray, s: FloatArray, kernel: DiffusionGeometry) -> FloatArray:
-    """Return what a Gaussian of angular width s ≪ 1 adds to the decayed lit side at x = π/2 − θ."""
+    """Return the light that a Gaussian of width s ≪ 1 adds to the lit side at x = π/2 − θ, in radians."""
     z = np.abs(x) / s
     density = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi)
     tail = ndtr(-z)
     first = density - z * tail
     third = (z * z + 2.0) * density - (z**3 + 3.0 * z) * tail
-    if kernel == "ring":
+    if kernel == DiffusionGeometry.RING:
         # sin y = y − y³/6 + O(y⁵)
         return s * first - s**3 / 6.0 * third
     # sin y √cos y = y − 5y³/12 + O(y⁵); the potential ½ + ¼tan²x gives e^{s²/4}
@@ -117,7 +122,7 @@ def _add_narrow_lobes(
     cos_theta: FloatArray,
     kernel: DiffusionGeometry,
 ) -> None:
-    decay = np.exp(-s * s if kernel == "sphere" else -0.5 * s * s)
+    decay = np.exp(-s * s if kernel == DiffusionGeometry.SPHERE else -0.5 * s * s)
     lit = np.maximum(cos_theta, 0.0)
     light += ((decay * narrow) @ weights)[:, None, :] * lit[:, None]
     x = np.arcsin(np.clip(cos_theta, -1.0, 1.0))
@@ -131,18 +136,18 @@ def _add_narrow_lobes(
 
 
 def _zonal_coefficients(terms: int) -> FloatArray:
-    """a_l of max(0, cosθ) over Legendre polynomials."""
+    """Return the coefficients a_l (terms,) of max(0, cosθ) in Legendre polynomials."""
     a = np.zeros(terms)
     a[:2] = (0.25, 0.5)[: min(terms, 2)]
     q = 1.0
-    for l in range(2, terms, 2):  # noqa: E741 — the degree's own letter
+    for l in range(2, terms, 2):  # noqa: E741 — the usual letter of the degree
         q *= (l - 1) / l
         a[l] = (-1.0) ** (l // 2 + 1) * (2 * l + 1) / 2.0 * q / ((l + 2) * (l - 1))
     return a
 
 
 def _cosine_coefficients(terms: int) -> FloatArray:
-    """f_n of max(0, cosθ) over cos nθ."""
+    """Return the coefficients f_n (terms,) of max(0, cosθ) in cos nθ."""
     f = np.zeros(terms)
     f[:2] = (1.0 / np.pi, 0.5)[: min(terms, 2)]
     n = np.arange(2, terms, 2)
@@ -151,7 +156,7 @@ def _cosine_coefficients(terms: int) -> FloatArray:
 
 
 def _legendre(terms: int, x: FloatArray) -> FloatArray:
-    """P_l(x) as (terms, n), by the three-term recurrence, stable on −1..1."""
+    """Return P_l(x) (terms, n), by the three-term recurrence, which is stable on −1..1."""
     p = np.empty((terms, x.size))
     p[0] = 1.0
     if terms > 1:

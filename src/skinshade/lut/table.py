@@ -1,4 +1,4 @@
-"""A lookup table that knows its axes, units, range and origin."""
+"""Lookup tables with axes, units, range and provenance."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._core.arrays import FloatArray, ImageArray, as_floats
-from .._core.errors import ArgumentError
+from .._core.errors import ArgumentError, LutFileError
+from .._core.notebook import png_bytes
+from .._core.srgb import srgb_from_linear
+from .files import read_table, write_table
 
 __all__ = ["Axis", "Lut", "LutKind", "checked_size"]
 
@@ -22,16 +25,18 @@ Spacing = Literal["linear", "sqrt"]
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis of a table; its texel centres stand at (i + ½)/n of the way from low to high.
+    """Axis of a table. Texel i of n has its centre at the fraction (i + ½)/n of the range.
 
     Attributes
     ----------
-    name, unit
-        What is looked up, and in which unit (``1`` for none).
+    name
+        Name of the quantity.
+    unit
+        Unit of the quantity; ``1`` if it has none.
     low, high
-        Its values at the outer edges of the first and last texel.
+        Values at the outer edges of the first and last texel.
     spacing
-        ``linear``, or ``sqrt`` where equal steps are equal steps of the square root.
+        ``linear``, or ``sqrt`` for equal steps of the square root.
     """
 
     name: str
@@ -42,17 +47,21 @@ class Axis:
 
     def __post_init__(self) -> None:
         if self.spacing not in get_args(Spacing):
-            raise ArgumentError(f"axis {self.name}: spacing is {self.spacing!r}; linear or sqrt")
+            raise ArgumentError(
+                f"axis {self.name}: spacing is {self.spacing!r}; it must be linear or sqrt"
+            )
         if not (np.isfinite(self.low) and np.isfinite(self.high) and self.low < self.high):
-            raise ArgumentError(f"axis {self.name}: from {self.low} to {self.high} does not rise")
+            raise ArgumentError(
+                f"axis {self.name}: low is {self.low} and high is {self.high}; low must be less than high"
+            )
         if self.spacing == "sqrt" and self.low < 0.0:
             raise ArgumentError(
-                f"axis {self.name}: from {self.low}; a sqrt axis starts at 0 or above"
+                f"axis {self.name}: low is {self.low}; it must be 0 or more with spacing sqrt"
             )
 
     @property
     def warped_ends(self) -> tuple[float, float]:
-        """Low and high, as their square roots where the spacing is ``sqrt``."""
+        """Low and high; their square roots where the spacing is ``sqrt``."""
         low, high = self._warp(np.array([self.low, self.high]))
         return float(low), float(high)
 
@@ -63,7 +72,7 @@ class Axis:
         return np.square(steps) if self.spacing == "sqrt" else steps
 
     def coordinate(self, value: FloatArray) -> FloatArray:
-        """Return where values lie, 0 at the low edge, 1 at the high one, clamped."""
+        """Return the positions of values along the axis, 0 at the low edge, 1 at the high edge, clamped."""
         low, high = self.warped_ends
         clamped = np.clip(value, self.low, self.high)
         result: FloatArray = (self._warp(clamped) - low) / (high - low)
@@ -75,18 +84,25 @@ class Axis:
 
 @dataclass(frozen=True)
 class Lut:
-    """A table of RGB values.
+    """Lookup table of RGB values.
 
     Attributes
     ----------
     values
-        (H, W, 3) float32, physical: no encoding, no offset.
+        (H, W, 3) float32 physical values, without encoding or offset; read-only.
     kind
         ``curvature``, ``shadow`` or ``transfer``.
     columns, rows
-        What runs along the width and the height.
+        Axes along the width and the height.
     provenance
-        Profile, parameters and version that made it; JSON types only.
+        Profile, parameters and version that the table was built from; JSON types only.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.build_transfer_lut(sk.Profile.preset("marble")).save("transfer.exr")
+    >>> sk.Lut.load("transfer.exr").kind
+    'transfer'
     """
 
     values: ImageArray
@@ -98,49 +114,58 @@ class Lut:
     def __post_init__(self) -> None:
         if self.values.ndim != 3 or self.values.shape[2] != 3 or min(self.values.shape) < 2:
             raise ArgumentError(
-                f"values: shape is {self.values.shape}; it must be (H, W, 3), H and W 2 at least"
+                f"values: shape is {self.values.shape}; it must be (H, W, 3) with H and W 2 or more"
             )
         if not np.isfinite(self.values).all():
-            raise ArgumentError("values: a table must be finite")
+            raise ArgumentError("values: all values must be finite")
         if self.kind not in get_args(LutKind):
             raise ArgumentError(f"kind is {self.kind!r}; it must be curvature, shadow or transfer")
+        values = np.array(self.values, dtype=np.float32)
+        values.setflags(write=False)
+        object.__setattr__(self, "values", values)
 
     @property
     def axes(self) -> tuple[float, float, float, float]:
-        """What shaders take: low and 1/(high − low) of the columns, then of the rows, as they are warped."""
+        """Low and 1/(high − low) of the warped columns, then of the rows: the constants of a lookup."""
         (left, right), (top, bottom) = self.columns.warped_ends, self.rows.warped_ends
         return left, 1.0 / (right - left), top, 1.0 / (bottom - top)
 
     @property
     def value_range(self) -> tuple[float, float]:
-        """The least and the greatest value."""
+        """Least and greatest value."""
         return float(self.values.min()), float(self.values.max())
 
     def sample(self, column: ArrayLike, row: ArrayLike) -> FloatArray:
-        """Look values up, bilinearly, clamped at the edges: what a GPU sampler does.
+        """Return bilinear lookups, clamped at the edges, as of a GPU sampler.
 
         Parameters
         ----------
         column
-            (...) N·L (curvature), the value of the wide shadow filter (shadow), or a spatial frequency
+            (...) N·L (curvature), value of the wide shadow filter (shadow), or spatial frequency, rad/mm
             (transfer).
         row
-            (...) curvature, or N·L over the filter's width, 1/mm; of no account for transfer.
+            (...) curvature (curvature), or N·L over the filter's width (shadow), 1/mm; ignored by a
+            transfer table.
 
         Returns
         -------
         (..., 3)
+
+        Raises
+        ------
+        ArgumentError
+            If a value is not finite.
         """
         u = self.columns.coordinate(as_floats("column", column))
         v = self.rows.coordinate(as_floats("row", row))
         return self.sample_at(u, v)
 
     def sample_at(self, u: FloatArray, v: FloatArray) -> FloatArray:
-        """Look all channels up (..., 3) at texture coordinates u and v (...), 0..1; no check."""
+        """Return all channels (..., 3) at texture coordinates u and v (...), 0..1, without checks."""
         return self._bilinear(u[..., None], v[..., None])
 
     def sample_channels(self, u: FloatArray, v: FloatArray) -> FloatArray:
-        """Look each channel up in a column of its own: u (..., 3), v (...), in 0..1; no check."""
+        """Return channels (..., 3), looked up at columns u (..., 3) and row v (...), 0..1, without checks."""
         return self._bilinear(u, v[..., None])
 
     def _bilinear(self, u: FloatArray, v: FloatArray) -> FloatArray:
@@ -150,16 +175,16 @@ class Lut:
         x0 = np.minimum(x.astype(np.int64), width - 2)
         y0 = np.minimum(y.astype(np.int64), height - 2)
         fx, fy = x - x0, y - y0
-        at = (y0 * width + x0) * 3 + np.arange(3)
+        index = (y0 * width + x0) * 3 + np.arange(3)
         t = self.values.ravel()
-        top = t[at] * (1.0 - fx) + t[at + 3] * fx
-        at += 3 * width
-        bottom = t[at] * (1.0 - fx) + t[at + 3] * fx
+        top = t[index] * (1.0 - fx) + t[index + 3] * fx
+        index += 3 * width
+        bottom = t[index] * (1.0 - fx) + t[index + 3] * fx
         result: FloatArray = top * (1.0 - fy) + bottom * fy
         return result
 
     def description(self) -> dict[str, Any]:
-        """Return all but the values, as JSON types: what the files carry beside them."""
+        """Return kind, axes and provenance as JSON types: the metadata of saved tables."""
         return {
             "kind": self.kind,
             "columns": asdict(self.columns),
@@ -168,44 +193,58 @@ class Lut:
         }
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write to a path: ``.exr`` (float), ``.png`` (16 bits, range in the metadata) or ``.npz``.
+        """Write the table to a path: ``.exr`` (float), ``.png`` (16 bits) or ``.npz``.
 
-        EXR and npz load back equal; PNG to half a step of range/65535 per channel.
+        The range of the values of a PNG is in its metadata.
+
+        EXR and npz are exact; PNG is within half a step of range/65535 per channel.
 
         Raises
         ------
         OutputError, ArgumentError
-            If the place cannot be written, or the suffix is another.
+            If the file cannot be written, or has another suffix.
         """
-        from .files import save_lut
-
-        save_lut(self, path)
+        write_table(path, self.values, self.description())
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Lut:
-        """Read what `save` wrote.
+        """Return the table of a file that `save` wrote.
 
         Parameters
         ----------
         path
-            ``.exr``, ``.png`` or ``.npz``.
+            ``.exr``, ``.png`` or ``.npz`` file.
 
         Raises
         ------
         LutFileError
-            If the file is missing, corrupt, or carries no description of its axes.
+            If the file is missing or corrupt, or has no description of its axes.
         """
-        from .files import load_lut
+        values, record = read_table(path)
+        try:
+            axes = Axis(**record["columns"]), Axis(**record["rows"])
+            return cls(values, record["kind"], *axes, record["provenance"])
+        except (KeyError, TypeError, ValueError) as error:
+            raise LutFileError(
+                f"{path}: the description of its axes is incomplete or wrong: {error}"
+            ) from None
 
-        return load_lut(path)
+    def __repr__(self) -> str:
+        height, width, _ = self.values.shape
+        low, high = self.value_range
+        return f"Lut({self.kind!r}, {width}×{height}, values {low:.3g} to {high:.3g})"
+
+    def _repr_png_(self) -> bytes:
+        return png_bytes(srgb_from_linear(self.values.astype(np.float64)))
 
 
 def checked_size(size: tuple[int, int]) -> tuple[int, int]:
-    """Return (width, height) if each is 2..16384.
+    """Return (width, height) after a check.
 
     Raises
     ------
     ArgumentError
+        If a side is not 2..16384.
     """
     try:
         width, height = (operator.index(n) for n in size)

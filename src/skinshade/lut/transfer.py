@@ -1,4 +1,4 @@
-"""A profile's transfer function as a table, for shaders."""
+"""Tables of transfer functions, for shaders."""
 
 from __future__ import annotations
 
@@ -17,21 +17,32 @@ def build_transfer_lut(
     size: tuple[int, int] = (2048, 2),
     k_per_mm: tuple[float, float] = (0.0, 16.0),
 ) -> Lut:
-    """Tabulate T(k), the share of a ripple's contrast that diffusion leaves.
+    """Tabulate T(k), the share of contrast that diffusion leaves at a spatial frequency.
 
     Parameters
     ----------
     profile
         Any profile.
     size
-        (width, height) in texels; every row is the same.
+        (width, height) in texels, 2..16384; all rows are equal.
     k_per_mm
         Least and greatest spatial frequency, rad/mm.
 
     Returns
     -------
     Lut
-        Columns k, equal steps of its root: T falls fastest where k is small.
+        Columns in equal steps of √k: T changes fastest at small k.
+
+    Raises
+    ------
+    ArgumentError
+        If a size or frequency is out of range.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.build_transfer_lut(sk.Profile.preset("marble")).sample(0.0, 0.0).round(2)
+    array([1., 1., 1.])
     """
     width, height = checked_size(size)
     columns = Axis("k", "rad/mm", *k_per_mm, spacing="sqrt")

@@ -1,4 +1,4 @@
-"""What skin shading needs from a mesh: curvature, UV scale, frames, diffusion over its surface."""
+"""Meshes and their analysis: curvature, thickness, UV scale, tangent frames, diffusion over the surface."""
 
 from .attributes import vertex_attributes
 from .curvature import mesh_curvature, mesh_curvature_tensor

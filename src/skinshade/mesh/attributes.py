@@ -1,4 +1,4 @@
-"""What skin shading wants at every vertex, in one call."""
+"""Vertex attributes of skin shading, in one call."""
 
 from __future__ import annotations
 
@@ -14,26 +14,34 @@ from .normals import tangent_frame, vertex_tangents
 __all__ = ["vertex_attributes"]
 
 DIFFUSION_TOLERANCE = 1e-4
-"""Of diffused normals: a tenth of what eight bits of a picture resolve."""
+"""Tolerance of diffused normals: a tenth of a step of eight bits in the picture."""
 
 
 def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
-    """Analyse a mesh for a profile; what was baked into its file is taken as it is.
+    """Return the vertex attributes of a mesh for a profile; baked ones are not computed again.
 
     Parameters
     ----------
     mesh
-        With its unit.
+        Mesh with its unit.
     profile
-        Of the skin; already scaled.
+        Profile of the skin, already scaled.
 
     Returns
     -------
     dict
-        ``position`` (V, 3) mm; ``normal`` (V, 3) unit; ``tangent`` (V, 4), the last number the side of
-        the bitangent; ``uv`` (V, 2), 0 without them; ``curvature`` (V, 1) mean, 1/mm; ``tensor`` (V, 6)
-        shape operator in world axes, xx xy xz yy yz zz, 1/mm; ``diffused`` (V, 9) normals diffused by the
-        profile, a row a channel; ``diffused_curvature`` (V, 3), 1/mm.
+        ``position`` (V, 3) mm; ``normal`` (V, 3) unit; ``tangent`` (V, 4) unit, and sign of the
+        bitangent; ``uv`` (V, 2), 0 where the mesh has none; ``curvature`` (V, 1) mean, 1/mm; ``tensor``
+        (V, 6) shape operator in world axes, xx xy xz yy yz zz, 1/mm; ``diffused_normals`` (V, 9) normals
+        diffused by the profile, a row for each channel; ``diffused_curvature`` (V, 3), 1/mm.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> mesh = sk.builtin_head().mesh
+    >>> attributes = sk.vertex_attributes(mesh, sk.Profile.preset("skin-deon2007"))
+    >>> attributes["tensor"].shape
+    (20560, 6)
     """
     points = mesh.positions_mm
     tensor, curvature = mesh.attributes.get("tensor"), mesh.attributes.get("curvature")
@@ -42,8 +50,8 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
         tensor = tensor_to_world(flat, mesh.normals)
     if curvature is None:
         curvature = mesh_curvature(points, mesh.faces, mesh.normals)
-    both = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
-    diffused = diffuse_on_mesh(points, mesh.faces, both, profile, tolerance=DIFFUSION_TOLERANCE)
+    fields = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
+    diffused = diffuse_on_mesh(points, mesh.faces, fields, profile, tolerance=DIFFUSION_TOLERANCE)
     if mesh.uvs is None:
         uv = np.zeros((len(points), 2))
         tangent = np.concatenate(
@@ -59,6 +67,6 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
         "uv": uv,
         "curvature": curvature[:, None],
         "tensor": tensor,
-        "diffused": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
+        "diffused_normals": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
         "diffused_curvature": diffused[:, 3],
     }

@@ -1,4 +1,4 @@
-"""What a file that was baked says of itself: its unit, and attributes that need not be computed again."""
+"""Baked attributes in glTF files: names, units, and reading them back."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .._core.arrays import FloatArray
+from ..gltf import scale_of
 from .curvature import SYMMETRIC_ROWS
 
 __all__ = ["GLTF_NAMES", "baked_attributes", "baked_unit_mm"]
@@ -17,21 +18,21 @@ GLTF_NAMES = {
     "tensor": (("_CURVATURE_TENSOR_0", slice(0, 3)), ("_CURVATURE_TENSOR_1", slice(3, 6))),
     "thickness": (("_THICKNESS", slice(0, 1)),),
 }
-"""What is baked, by the attributes of a primitive that hold it, and which of its numbers each holds."""
+"""Attributes of a primitive that store each baked quantity, with the columns that each stores."""
 
 
 def baked_unit_mm(extras: Any, matrix: FloatArray) -> float | None:
-    """Return the length of the file's unit, mm, by what baking noted for a mesh that stands so.
+    """Return the length of the file's unit, mm, that a bake noted for a mesh, or None.
 
     Parameters
     ----------
     extras
-        What the mesh carries under ``skinshade``, if anything.
+        Entry ``skinshade`` of the mesh's extras, or None.
     matrix
         (4, 4) from the mesh's axes to the scene's.
     """
     unit = extras.get("unit_mm") if isinstance(extras, dict) else None
-    scale = float(np.cbrt(abs(np.linalg.det(matrix[:3, :3]))))
+    scale, _ = scale_of(matrix)
     if not isinstance(unit, (int, float)) or not np.isfinite(unit) or unit <= 0.0 or scale <= 0.0:
         return None
     return float(unit) / scale
@@ -40,38 +41,38 @@ def baked_unit_mm(extras: Any, matrix: FloatArray) -> float | None:
 def baked_attributes(
     attributes: Mapping[str, FloatArray], matrix: FloatArray
 ) -> dict[str, FloatArray]:
-    """Return ``curvature`` (V,) 1/mm, ``tensor`` (V, 6) 1/mm in the scene's axes, ``thickness`` (V,) mm.
+    """Return ``curvature`` (V, 1) 1/mm, ``tensor`` (V, 6) 1/mm in the scene's axes, ``thickness`` (V, 1) mm.
 
-    Only what is there and finite.
+    Quantities that are missing or not finite are left out.
 
     Parameters
     ----------
     attributes
-        (V, n) by the file's names.
+        (V, n) by their names in the file.
     matrix
         (4, 4) from the mesh's axes to the scene's.
     """
-    found = {}
+    quantities = {}
     for key, parts in GLTF_NAMES.items():
         columns = [
             _columns(attributes.get(name), numbers.stop - numbers.start) for name, numbers in parts
         ]
-        there = [each for each in columns if each is not None]
-        if len(there) == len(parts):
-            values = np.concatenate(there, axis=1)
-            found[key] = _turned(values, matrix) if key == "tensor" else values[:, 0]
-    return found
+        present = [column for column in columns if column is not None]
+        if len(present) == len(parts):
+            values = np.concatenate(present, axis=1)
+            quantities[key] = _turned(values, matrix) if key == "tensor" else values
+    return quantities
 
 
 def _columns(values: FloatArray | None, width: int) -> FloatArray | None:
-    """An attribute as (V, width), if it is that and finite."""
+    """Return an attribute as (V, width), or None if it has another shape or is not finite."""
     if values is None or values.ndim > 2 or values.size != width * len(values):
         return None
     return values.reshape(len(values), width) if np.isfinite(values).all() else None
 
 
 def _turned(six: FloatArray, matrix: FloatArray) -> FloatArray:
-    """Symmetric tensors (V, 6) in the axes that a matrix turns theirs into."""
+    """Return symmetric tensors (V, 6) turned by the rotation of a matrix."""
     left, _, right = np.linalg.svd(matrix[:3, :3])
     turn = left @ right
     full = six[:, np.array(SYMMETRIC_ROWS)]

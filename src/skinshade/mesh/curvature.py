@@ -1,7 +1,8 @@
-"""Signed curvature per vertex: the shape operator from the change of normals along edges.
+"""Signed curvature at vertices: the shape operator from the change of normals along edges.
 
-After [Rusinkiewicz2004], but fitted per vertex over its edges instead of per face and then averaged:
-on random triangulations that halves the error, because an edge gives the curvature at its middle.
+The method is that of [Rusinkiewicz2004], with a fit over the edges of every vertex instead of an average
+of fits over faces. This halves the error on random triangulations, because an edge gives the curvature at
+its middle.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from numpy.typing import ArrayLike
 
 from .._core.arrays import (
     FloatArray,
+    FloatRows,
+    FloatVector,
     IntArray,
     as_faces,
     as_floats,
@@ -32,13 +35,13 @@ __all__ = ["CurvatureMethod", "mesh_curvature", "mesh_curvature_tensor", "tensor
 CurvatureMethod = Literal["shape-operator", "edges"]
 
 SYMMETRIC = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
-"""Order in which the six numbers of a symmetric 3×3 tensor are kept."""
+"""Rows and columns of the six numbers of a symmetric 3×3 tensor."""
 SYMMETRIC_ROWS = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
-"""Where the entries of a symmetric matrix stand among xx xy xz yy yz zz."""
+"""Indices of the entries of a symmetric matrix in xx xy xz yy yz zz."""
 BLOCK = 1 << 13
-"""Vertices, or faces, worked on at once: what they need stays in a cache, however large the mesh."""
+"""Vertices or faces in a block, whose data fit in a cache."""
 FIT_RIDGE = 1e-9
-"""Relative; keeps the fit solvable at a vertex all of whose edges are parallel."""
+"""Relative ridge, which keeps the fit solvable at a vertex with parallel edges only."""
 
 
 def mesh_curvature(
@@ -48,8 +51,8 @@ def mesh_curvature(
     *,
     method: CurvatureMethod = "shape-operator",
     smoothing: int = 2,
-) -> FloatArray:
-    """Return the mean curvature of each vertex, positive where the surface is convex.
+) -> FloatVector:
+    """Return the mean curvature at every vertex, positive where the surface is convex.
 
     Parameters
     ----------
@@ -58,22 +61,32 @@ def mesh_curvature(
     faces
         (F, 3) indices.
     normals
-        (V, 3) unit, outward; computed if not given.
+        (V, 3) outward unit normals; computed if None.
     method
-        ``shape-operator``, or ``edges`` for the unsigned figure of 2014.
+        ``shape-operator``, or ``edges`` for the unsigned curvature of the system of 2014.
     smoothing
-        Passes of averaging with the neighbours, 0..100; noise in scanned normals needs two.
+        Passes of averaging with the neighbours, 0..100; the normals of scans need two.
 
     Returns
     -------
     (V,)
-        1 per unit of `positions`. Vertices at one position get one value. 2 % RMS on smooth shapes
-        of which an edge spans a tenth of a radian, first order in the edge on random meshes.
+        Curvature in 1 per unit of `positions`. Vertices at one position have equal values. The error is
+        2 % RMS on smooth shapes whose edges span a tenth of a radian, and of first order in the length
+        of edges on random meshes.
 
     Raises
     ------
     ArgumentError
         If an array has a wrong shape, a value is not finite or an index out of range.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> mesh = sk.builtin_head().mesh
+    >>> curvature = sk.mesh_curvature(mesh.positions_mm, mesh.faces, mesh.normals)
+    >>> tip = mesh.positions_mm[:, 2].argmax()
+    >>> bool(0.03 < curvature[tip] < 0.3)  # the tip of the nose, 1/mm
+    True
     """
     p, f, n = _checked(positions, faces, normals, smoothing)
     if method == "edges":
@@ -93,8 +106,8 @@ def mesh_curvature_tensor(
     normals: ArrayLike | None = None,
     *,
     smoothing: int = 2,
-) -> FloatArray:
-    """Return the shape operator of each vertex, three numbers in its tangent plane.
+) -> FloatRows:
+    """Return the shape operator at every vertex: three numbers in its tangent plane.
 
     Parameters
     ----------
@@ -104,9 +117,21 @@ def mesh_curvature_tensor(
     Returns
     -------
     (V, 3)
-        k_uu, k_uv, k_vv in the frame that `skinshade.mesh.normals.tangent_frame` gives for the
-        vertex's normal; 1 per unit of `positions`, positive where convex. `tensor_to_world` turns
-        them into what can be interpolated.
+        k_uu, k_uv, k_vv in the frame of `skinshade.mesh.normals.tangent_frame`, in 1 per unit of
+        `positions`, positive where convex. Convert them with `skinshade.mesh.curvature.tensor_to_world`
+        before they are interpolated.
+
+    Raises
+    ------
+    ArgumentError
+        As in `mesh_curvature`.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> mesh = sk.builtin_head().mesh
+    >>> sk.mesh_curvature_tensor(mesh.positions_mm, mesh.faces, mesh.normals).shape
+    (20560, 3)
     """
     p, f, n = _checked(positions, faces, normals, smoothing)
     group, first = weld(p)
@@ -120,12 +145,12 @@ def mesh_curvature_tensor(
 
 
 def tensor_to_world(tensor: FloatArray, normals: FloatArray) -> FloatArray:
-    """Return (..., 6) xx, xy, xz, yy, yz, zz of tensors (..., 3) at unit normals (..., 3)."""
+    """Return tensors as xx, xy, xz, yy, yz, zz (..., 6) from tensors (..., 3) at unit normals (..., 3)."""
     return _to_world(tensor, normals)
 
 
 def apply_symmetric(world: FloatArray, vectors: FloatArray) -> FloatArray:
-    """Return the tensors (..., 6) times vectors (..., 3)."""
+    """Return the products (..., 3) of tensors (..., 6) and vectors (..., 3)."""
     x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
     return np.stack(
         [world[..., a] * x + world[..., b] * y + world[..., c] * z for a, b, c in SYMMETRIC_ROWS],
@@ -143,7 +168,7 @@ def _checked(
         raise ArgumentError("positions: there are no vertices")
     f = as_faces("faces", faces, p.shape[0])
     if f.shape[0] == 0:
-        raise ArgumentError("faces: there are none")
+        raise ArgumentError("faces: there are no faces")
     if normals is None:
         return p, f, vertex_normals(p, f)
     return p, f, unit_vectors(as_floats("normals", normals, p.shape))
@@ -161,7 +186,7 @@ def _group_normals(normals: FloatArray, group: IntArray, count: int) -> FloatArr
 def _fit(
     p: FloatArray, faces: IntArray, normals: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Least squares of S·edge = change of normal, in each vertex's tangent plane, weight 1/edge²."""
+    """Fit S·edge = change of normal in the tangent plane of every vertex, with weights 1/edge²."""
     count = p.shape[0]
     neighbours = Neighbours.of(faces, count)
     points = [np.ascontiguousarray(axis) for axis in p.T]
@@ -186,13 +211,13 @@ def _fit_block(
     weight = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
     weight = 1.0 / np.maximum(weight, np.finfo(np.float64).tiny)
     weighted = [weight * axis for axis in step]
-    # Both moments are summed in world axes and turned into each vertex's frame afterwards: a third of
-    # the work of turning every edge. A column of each is in one piece.
+    # Both moments are summed in world axes and then converted to the frame of the vertex: a third of the
+    # work of converting every edge. Their columns are contiguous.
     spread, response = (np.empty((6, len(normals))).T for _ in range(2))
     for entry, (i, j) in enumerate(SYMMETRIC):
         spread[:, entry] = block.sums(weighted[i] * step[j])
-        each = weighted[i] * turn[j] + weighted[j] * turn[i]
-        response[:, entry] = 0.5 * block.sums(each)
+        product = weighted[i] * turn[j] + weighted[j] * turn[i]
+        response[:, entry] = 0.5 * block.sums(product)
     u, v = tangent_frame(normals)
     along_u, along_v = apply_symmetric(spread, u), apply_symmetric(spread, v)
     xx, xy, yy = dot(along_u, u), dot(along_u, v), dot(along_v, v)
@@ -203,7 +228,7 @@ def _fit_block(
     ridge = FIT_RIDGE * total + np.finfo(np.float64).tiny
     xx, yy, middle = xx + ridge, yy + ridge, total + ridge
     determinant = xx * middle * yy - xy * xy * (xx + yy)
-    # A vertex without an edge has no curvature.
+    # The curvature of a vertex without edges is 0.
     determinant = np.where(determinant > 0.0, determinant, np.inf)
     k_uu = (a * (middle * yy - xy * xy) - xy * (b * yy - xy * c)) / determinant
     k_uv = (xx * (b * yy - xy * c) - xy * a * yy) / determinant
@@ -233,10 +258,10 @@ def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -
 
     def average(first: int, value: FloatArray) -> None:
         part = slice(first, first + BLOCK)
-        at = [column[part] for column in corners]
-        shares = [area[column] for column in at]
+        vertices = [column[part] for column in corners]
+        shares = [area[column] for column in vertices]
         total = np.maximum(shares[0] + shares[1] + shares[2], np.finfo(np.float64).tiny)
-        a, b, c = (share * value[column] for share, column in zip(shares, at, strict=True))
+        a, b, c = (share * value[column] for share, column in zip(shares, vertices, strict=True))
         mean[part] = (a + b + c) / total
 
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
@@ -244,13 +269,13 @@ def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -
             for column in range(values.shape[1]):
                 value = np.ascontiguousarray(result[:, column])
                 list(pool.map(partial(average, value=value), range(0, len(faces), BLOCK)))
-                a, b, c = (np.bincount(at, mean, count) for at in corners)
+                a, b, c = (np.bincount(corner, mean, count) for corner in corners)
                 result[:, column] = (a + b + c) / uses
     return result
 
 
 def _edge_curvature(p: FloatArray, faces: IntArray, normals: FloatArray, passes: int) -> FloatArray:
-    """Mean of the least and greatest |ΔN|/|ΔP| over the edges of a vertex; seams stay split."""
+    """Return the mean of least and greatest |ΔN|/|ΔP| over the edges of a vertex; seams stay split."""
     count = p.shape[0]
     one, other = half_edges(faces)
     step, turn = p[other] - p[one], normals[other] - normals[one]
@@ -259,13 +284,13 @@ def _edge_curvature(p: FloatArray, faces: IntArray, normals: FloatArray, passes:
     one, other = one[real], other[real]
     ratio = np.sqrt(dot(turn, turn))[real] / length[real]
     least, greatest = np.full(count, np.inf), np.zeros(count)
-    for at in (one, other):
-        np.minimum.at(least, at, ratio)
-        np.maximum.at(greatest, at, ratio)
+    for end in (one, other):
+        np.minimum.at(least, end, ratio)
+        np.maximum.at(greatest, end, ratio)
     result = np.where(np.isfinite(least), 0.5 * (least + greatest), 0.0)
-    at = faces.ravel()
-    uses = np.maximum(2 * np.bincount(at, minlength=count), 1)
+    corners = faces.ravel()
+    uses = np.maximum(2 * np.bincount(corners, minlength=count), 1)
     for _ in range(passes):
         around = result[faces].sum(axis=1, keepdims=True) - result[faces]
-        result = np.bincount(at, around.ravel(), count) / uses
+        result = np.bincount(corners, around.ravel(), count) / uses
     return result

@@ -1,12 +1,8 @@
-"""Diffusion over a surface: what multiplying by a transfer function means there (MODEL §7).
+"""Diffusion over a surface by a profile's transfer function (MODEL §7).
 
-A frequency k² of the plane is an eigenvalue of the Laplacian of the mesh, so that a profile's effect is
-the matrix function T(√(M⁻¹L)). Lanczos' iteration applies it to a vector with a few dozen products by
-the sparse matrix [Higham2008]: no time steps, no factorisation, and no Gaussian fit either.
-
-Tried and left: implicit Euler steps with one factorisation a Gaussian (first order; 8 steps err by .03),
-and partial fractions of exp with complex poles (1.5e-6, but 1.9 s a pole on 20,000 vertices, where the
-iteration takes 0.02 s in all).
+The square of a frequency of the plane corresponds to an eigenvalue of the Laplacian of the mesh, so that a
+profile acts as the matrix function T(√(M⁻¹L)). Lanczos' iteration applies it to a vector with a few dozen
+products with the sparse matrix [Higham2008], without time steps, factorisations or a Gaussian fit.
 """
 
 from __future__ import annotations
@@ -28,7 +24,9 @@ from .topology import corner_areas, weld
 __all__ = ["diffuse_on_mesh", "mesh_diffused_normals"]
 
 CHECK_EVERY = 12
+"""Steps of the iteration between tests of its convergence."""
 MOST_STEPS = 3000
+"""Steps after which the iteration counts as divergent."""
 
 
 def diffuse_on_mesh(
@@ -40,32 +38,42 @@ def diffuse_on_mesh(
     tolerance: float = 1e-8,
     progress: Progress = silent,
 ) -> FloatArray:
-    """Diffuse per-vertex values over the surface by each channel of a profile.
+    """Diffuse values at vertices over the surface by the three channels of a profile.
 
     Parameters
     ----------
     positions_mm, faces
         (V, 3) mm and (F, 3). Vertices at one position are one point of the surface.
     values
-        (V, ...) any quantity; irradiance, say, or normals.
+        (V, ...) any quantity, such as irradiance or normals.
     profile
-        Any.
+        Any profile.
     tolerance
-        Relative to the input's norm, 1e-12..1e-1: change of any coefficient of the answer at which
-        the iteration stops. Faces like needles and profiles with a sharp peak need many steps.
+        Change of the coefficients of the result, relative to the norm of the input, at which the
+        iteration stops, 1e-12..1e-1. Needle-like faces and profiles with a sharp peak need many steps.
     progress
-        Called with what is being done and how far it is.
+        Called with the name of the work and the fraction that is done.
 
     Returns
     -------
     (V, ..., 3)
-        The last axis is the channel. Constants stay what they are, and the integral over the surface
-        is kept, both to 1e-7; beside that, exact up to the mesh's own resolution.
+        Diffused values; the last axis is the channel. Constants and the integral over the surface are
+        kept within 1e-7. The result is exact up to the resolution of the mesh.
 
     Raises
     ------
     ArgumentError, MeshError
-        If an array is malformed, or the mesh has no area.
+        If an array is malformed, the mesh has no area, or the iteration does not converge.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import skinshade as sk
+    >>> mesh = sk.builtin_head().mesh
+    >>> light = np.maximum(mesh.normals @ [0.0, 0.0, 1.0], 0.0)
+    >>> skin = sk.Profile.preset("skin-deon2007")
+    >>> sk.diffuse_on_mesh(mesh.positions_mm, mesh.faces, light, skin, tolerance=1e-4).shape
+    (20560, 3)
     """
     p = as_positions("positions_mm", positions_mm)
     if p.shape[0] == 0:
@@ -100,10 +108,10 @@ def diffuse_on_mesh(
 def mesh_diffused_normals(
     positions_mm: ArrayLike, faces: ArrayLike, normals: ArrayLike, profile: Profile
 ) -> FloatArray:
-    """Return the normals diffused by each channel, unnormalised, (V, 3 channels, 3) [Kolchin2007].
+    """Return normals, diffused by the channels of a profile and not normalised [Kolchin2007].
 
-    Their length, below 1 where the surface bends within the mean free path, is the contrast that
-    diffusion removes.
+    They are shorter than 1 where the surface curves within the reach of the profile: their length is the
+    contrast that diffusion leaves.
 
     Parameters
     ----------
@@ -112,28 +120,41 @@ def mesh_diffused_normals(
     normals
         (V, 3) unit.
     profile
-        Any.
+        Any profile.
+
+    Returns
+    -------
+    (V, 3, 3)
+        Diffused normals; the second axis is the channel.
 
     Raises
     ------
     ArgumentError, MeshError
-        If an array is malformed, or the mesh has no area.
+        As in `diffuse_on_mesh`.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> mesh = sk.builtin_head().mesh
+    >>> skin = sk.Profile.preset("skin-deon2007")
+    >>> sk.mesh_diffused_normals(mesh.positions_mm, mesh.faces, mesh.normals, skin).shape
+    (20560, 3, 3)
     """
     return np.swapaxes(diffuse_on_mesh(positions_mm, faces, normals, profile), -1, -2)
 
 
 def _laplacian(p: FloatArray, faces: IntArray) -> tuple[csr_array, FloatArray]:
-    """Return the cotangent stiffness matrix and the lumped mass (a third of the faces around)."""
+    """Return the cotangent stiffness matrix, and the lumped mass: a third of the areas of faces around."""
     count = p.shape[0]
     corners = p[faces]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     double_area = np.sqrt(dot(normal, normal))
     mass = corner_areas(p, faces, count)
     if not (mass > 0.0).all():
-        at = int(np.argmin(mass))
-        raise MeshError(f"vertex {at} at {p[at]}: the faces around it have no area")
+        vertex = int(np.argmin(mass))
+        raise MeshError(f"vertex {vertex} at {p[vertex]}: the faces around it have no area")
     rows, columns, entries = [], [], []
-    # A cotangent is bounded so that a needle-like face cannot drown its neighbours in rounding.
+    # Cotangents are bounded: those of needle-like faces would exceed the precision of their neighbours.
     floor = 1e-12 * double_area.max()
     for corner in range(3):
         i, j = faces[:, (corner + 1) % 3], faces[:, (corner + 2) % 3]
@@ -157,15 +178,15 @@ def _transferred(
     tolerance: float,
     reach_mm: float,
 ) -> FloatArray:
-    """Apply T(√(M⁻¹L)) to one column (n,) per channel, (n, 3), by Lanczos' iteration."""
-    # Of what is constant over a connected part nothing changes: it is set aside, exactly.
+    """Return T(√(M⁻¹L)) times a column (n,), for the three channels (n, 3), by Lanczos' iteration."""
+    # Diffusion keeps the mean over a connected part: it is subtracted here and added at the end.
     part = connected_components(stiffness, directed=False)[1]
     mean = (np.bincount(part, mass * values) / np.bincount(part, mass))[part]
     values = values - mean
     root = np.sqrt(mass)
     scale = dia_array((1.0 / root[None, :], 0), shape=stiffness.shape)
     symmetric = csr_array(scale @ stiffness @ scale)
-    # A polynomial of this degree in the matrix resolves waves as long as the profile is wide.
+    # A polynomial of this degree in the matrix resolves waves as long as the width of the profile.
     enough = 2.0 * reach_mm * np.sqrt(symmetric.diagonal().max())
     start = root * values
     norm = float(np.linalg.norm(start))
@@ -181,15 +202,15 @@ def _transferred(
             basis = np.concatenate([basis, np.empty_like(basis[:CHECK_EVERY])])
         vector = symmetric @ basis[step]
         diagonal.append(float(vector @ basis[step]))
-        for _ in range(2):  # twice is enough to stay orthogonal
+        for _ in range(2):  # two passes keep the basis orthogonal
             vector -= basis[: step + 1].T @ (basis[: step + 1] @ vector)
         length = float(np.linalg.norm(vector))
         exhausted = length <= 1e-12 * max(map(abs, diagonal))
         if exhausted or (step + 1) % CHECK_EVERY == 0:
-            weights, unsure = _small_function(diagonal, beside, transfer, length)
+            weights, uncertainty = _small_function(diagonal, beside, transfer, length)
             padded = np.zeros_like(weights)
             padded[: previous.shape[0]] = previous
-            resolved = unsure < tolerance or step + 1 >= enough
+            resolved = uncertainty < tolerance or step + 1 >= enough
             settled = np.abs(weights - padded).max() < tolerance and resolved
             if exhausted or settled:
                 break
@@ -198,7 +219,8 @@ def _transferred(
         basis[step + 1] = vector / length
     else:
         raise MeshError(
-            f"diffusion has not converged in {MOST_STEPS} steps; are faces needle-like?"
+            f"diffusion has not converged in {MOST_STEPS} steps; remove needle-like faces, or give"
+            " a greater tolerance"
         )
     combined: FloatArray = basis[: weights.shape[0]].T @ weights
     return mean[:, None] + norm * combined / root[:, None]
@@ -210,10 +232,10 @@ def _small_function(
     transfer: Callable[[FloatArray], FloatArray],
     next_length: float,
 ) -> tuple[FloatArray, float]:
-    """Return T(√H) e₁ (m, 3) of the tridiagonal matrix H found so far, and how unsure it is.
+    """Return T(√H) e₁ (m, 3) of the tridiagonal matrix H of the iteration, and its uncertainty.
 
-    While the lowest frequency is still sinking, a profile that lets only lower ones through seems to
-    let nothing through; its residual, times its share of the input, bounds what may yet appear.
+    Until the lowest frequency has converged, a profile that passes only lower frequencies seems to pass
+    none. The residual of that frequency, times its share of the input, bounds what further steps add.
     """
     squares, vectors = eigh_tridiagonal(np.array(diagonal), np.array(beside[: len(diagonal) - 1]))
     response = transfer(np.sqrt(np.maximum(squares, 0.0)))

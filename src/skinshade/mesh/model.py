@@ -1,4 +1,4 @@
-"""A triangle mesh with a unit, free of everything that would reach a result as NaN."""
+"""Triangle meshes with a unit, checked and repaired on construction."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from .._core.arrays import (
     FloatArray,
+    FloatRows,
+    IndexRows,
     IntArray,
     as_faces,
     as_floats,
@@ -17,17 +19,19 @@ from .._core.arrays import (
     dot,
     unit_vectors,
 )
-from .._core.errors import MeshError
-from .._core.units import checked_unit_mm
+from .._core.errors import MeshError, UnitError
+from .._core.notebook import table_html
 from .normals import vertex_normals
 from .topology import face_areas, open_edge_counts
 
 __all__ = ["Mesh"]
 
+LONGEST_REPR = 200
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Mesh:
-    """A triangle mesh; build it with `checked` or `skinshade.load_mesh`.
+    """Triangle mesh. Create one with `checked` or `skinshade.load_mesh`.
 
     Attributes
     ----------
@@ -44,14 +48,14 @@ class Mesh:
     attributes
         Further per-vertex values by name, (V,) or (V, n).
     repairs
-        What was repaired or noticed when the mesh was built, and how often.
+        Counts of repairs and faults, by their names.
     """
 
-    positions: FloatArray
-    normals: FloatArray
-    faces: IntArray
+    positions: FloatRows
+    normals: FloatRows
+    faces: IndexRows
     unit_mm: float
-    uvs: FloatArray | None = None
+    uvs: FloatRows | None = None
     attributes: Mapping[str, FloatArray] = field(default_factory=dict)
     repairs: Mapping[str, int] = field(default_factory=dict)
 
@@ -65,15 +69,15 @@ class Mesh:
         normals: ArrayLike | None = None,
         uvs: ArrayLike | None = None,
         attributes: Mapping[str, ArrayLike] | None = None,
+        keep_vertices: bool = False,
         name: str = "mesh",
     ) -> Mesh:
-        """Check, repair and count.
+        """Return a mesh from arrays, checked and repaired; repairs are counted.
 
-        Errors are what no repair can mean: no vertices or faces, NaN or infinite positions or UVs,
-        an index out of range, no face with an area. Repairs, each counted in `repairs`: faces
-        without area and repeated faces are dropped, then vertices that no face uses; normals that
-        are missing, zero or not finite are computed. Edges with one face (``open edges``) or more
-        than two (``non-manifold edges``) and neighbours of opposite winding are counted and kept.
+        Repairs: faces without area and repeated faces are dropped, then vertices that no face uses;
+        normals that are missing, zero or not finite are computed. Counted, but kept: edges with one
+        face (``open edges``) or more than two (``non-manifold edges``), and neighbours of opposite
+        winding.
 
         Parameters
         ----------
@@ -89,13 +93,22 @@ class Mesh:
             (V, 2) texture coordinates, v down (glTF).
         attributes
             Further per-vertex values by name, (V,) or (V, n).
+        keep_vertices
+            Keep vertices that no face uses, so that every vertex keeps its index.
         name
-            What messages call the mesh.
+            Name of the mesh in error messages.
 
         Raises
         ------
         MeshError, ArgumentError
-            Naming the mesh, the array, the index and the value.
+            If there are no vertices or faces, no face has an area, a position or UV is not finite, or
+            an index is out of range; naming the mesh, the array, the index and the value.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> sk.Mesh.checked([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], unit_mm=10)
+        Mesh(3 vertices, 1 faces, 10 × 10 × 0 mm; 3 normals computed, 3 open edges)
         """
         points = as_positions(f"{name}: positions", positions)
         if points.shape[0] == 0:
@@ -117,71 +130,123 @@ class Mesh:
         given = _given_normals(normals, count, name)
         used = np.zeros(count, dtype=bool)
         used[triangles] = True
-        if not used.all():
+        if not keep_vertices and not used.all():
             repairs["unreferenced vertices dropped"] = int((~used).sum())
             triangles = (np.cumsum(used) - 1)[triangles]
             points, given = points[used], given[used]
             columns = {key: value[used] for key, value in columns.items()}
             coordinates = None if coordinates is None else coordinates[used]
-
-        missing = ~(np.abs(dot(given, given) - 1.0) < 1e-2)
-        if missing.any():
-            repairs["normals computed"] = int(missing.sum())
-            given[missing] = vertex_normals(points, triangles)[missing]
-            given = _any_face_normal_where_zero(given, points, triangles)
+        given = _complete_normals(given, points, triangles, repairs)
         repairs |= open_edge_counts(points, triangles)
         return cls(
             points,
-            unit_vectors(given),
+            given,
             triangles,
-            checked_unit_mm(unit_mm, name),
+            _positive_unit(unit_mm, name),
             coordinates,
             columns,
             {key: value for key, value in repairs.items() if value},
         )
 
     @property
-    def positions_mm(self) -> FloatArray:
+    def positions_mm(self) -> FloatRows:
         """(V, 3) positions in mm."""
         return self.positions * self.unit_mm
 
     def with_uvs_flipped(self) -> Mesh:
-        """Return the mesh with v running the other way: files made for OpenGL count it from below."""
+        """Return the mesh with v reversed, for files made for OpenGL, where v counts from below.
+
+        Raises
+        ------
+        MeshError
+            If the mesh has no UVs.
+        """
         if self.uvs is None:
             raise MeshError("the mesh has no UVs to flip")
         return replace(self, uvs=self.uvs * (1.0, -1.0) + (0.0, 1.0))
 
+    def __repr__(self) -> str:
+        size = " × ".join(f"{side:.4g}" for side in np.ptp(self.positions_mm, axis=0))
+        parts = [f"{len(self.positions)} vertices", f"{len(self.faces)} faces", f"{size} mm"]
+        parts += ["UVs"] if self.uvs is not None else []
+        parts += [f"attributes: {' '.join(self.attributes)}"] if self.attributes else []
+        repairs = ", ".join(f"{count} {repair}" for repair, count in self.repairs.items())
+        text = f"Mesh({', '.join(parts)}{'; ' if repairs else ''}{repairs})"
+        return text if len(text) <= LONGEST_REPR else text[: LONGEST_REPR - 2] + "…)"
 
-def _any_face_normal_where_zero(
-    normals: FloatArray, points: FloatArray, triangles: IntArray
+    def _repr_html_(self) -> str:
+        size = " × ".join(f"{side:.4g}" for side in np.ptp(self.positions_mm, axis=0))
+        rows: dict[str, object] = {
+            "vertices": len(self.positions),
+            "faces": len(self.faces),
+            "size, mm": size,
+            "unit, mm": f"{self.unit_mm:g}",
+            "UVs": "yes" if self.uvs is not None else "no",
+            "attributes": ", ".join(self.attributes) or "none",
+        }
+        return table_html("Mesh", rows | dict(self.repairs))
+
+
+def _positive_unit(unit_mm: float, name: str) -> float:
+    """Return a unit after a check. Any positive length is valid, as it may include a node's scale."""
+    try:
+        value = float(unit_mm)
+    except (TypeError, ValueError):
+        value = 0.0
+    if not 0.0 < value < np.inf:
+        raise UnitError(f"{name}: unit_mm is {unit_mm}; it must be a positive number of mm")
+    return value
+
+
+def _complete_normals(
+    normals: FloatArray, points: FloatArray, triangles: IntArray, repairs: dict[str, int]
 ) -> FloatArray:
-    """Both sides of one sheet cancel out: there the normal of either will do."""
-    zero = np.asarray(~normals.any(axis=1))
-    if not zero.any():
-        return normals
-    p = points[triangles]
-    of_face = unit_vectors(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
-    chosen = np.zeros_like(normals)
-    chosen[triangles.ravel()] = np.repeat(of_face, 3, axis=0)
-    return np.where(zero[:, None], chosen, normals)
+    """Return unit normals (V, 3), computed where the given ones (V, 3) are not unit vectors.
+
+    Where both sides of one sheet cancel out, the normal is that of either side; vertices of no face get
+    (0, 0, 1).
+    """
+    missing = ~(np.abs(dot(normals, normals) - 1.0) < 1e-2)
+    if not missing.any():
+        return unit_vectors(normals)
+    repairs["normals computed"] = int(missing.sum())
+    completed = np.where(missing[:, None], vertex_normals(points, triangles), normals)
+    zero = np.asarray(~completed.any(axis=1))
+    if zero.any():
+        p = points[triangles]
+        face_normals = unit_vectors(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
+        chosen = np.tile([0.0, 0.0, 1.0], (len(points), 1))
+        chosen[triangles.ravel()] = np.repeat(face_normals, 3, axis=0)
+        completed = np.where(zero[:, None], chosen, completed)
+    return unit_vectors(completed)
 
 
 def _usable_faces(
     points: FloatArray, triangles: IntArray, repairs: dict[str, int], name: str
 ) -> IntArray:
+    """Return the faces that have an area, each once; count those that are dropped."""
     flat = face_areas(points, triangles) <= 0.0
     if flat.any():
         repairs["faces without area dropped"] = int(flat.sum())
         triangles = triangles[~flat]
     if triangles.shape[0] == 0:
         raise MeshError(f"{name}: no face has an area")
-    turned = np.argmin(triangles, axis=1)[:, None] + np.arange(3)
-    first = np.take_along_axis(triangles, turned % 3, axis=1)
-    _, keep = np.unique(first, axis=0, return_index=True)
-    if keep.size < triangles.shape[0]:
-        repairs["repeated faces dropped"] = int(triangles.shape[0] - keep.size)
-        triangles = triangles[np.sort(keep)]
+    kept = _first_of_equal(triangles, len(points))
+    if kept.size < triangles.shape[0]:
+        repairs["repeated faces dropped"] = int(triangles.shape[0] - kept.size)
+        triangles = triangles[kept]
     return triangles
+
+
+def _first_of_equal(triangles: IntArray, vertex_count: int) -> IntArray:
+    """Return the increasing indices of the first of every set of equal faces."""
+    turned = (np.argmin(triangles, axis=1)[:, None] + np.arange(3)) % 3
+    a, b, c = np.take_along_axis(triangles, turned, axis=1).T
+    if vertex_count < 1 << 21:  # three indices fit in 63 bits
+        _, first = np.unique((a * vertex_count + b) * vertex_count + c, return_index=True)
+    else:
+        _, first = np.unique(np.stack([a, b, c], axis=1), axis=0, return_index=True)
+    return np.sort(first)
 
 
 def _given_normals(normals: ArrayLike | None, count: int, name: str) -> FloatArray:

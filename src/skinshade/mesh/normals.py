@@ -1,23 +1,23 @@
-"""Vertex normals from positions alone, and tangents with handedness."""
+"""Vertex normals, and tangents with handedness."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from .._core.arrays import FloatArray, IntArray, dot, unit_vectors
+from .._core.arrays import FloatArray, FloatRows, IntArray, dot, unit_vectors
 from .topology import half_edges, weld
 
 __all__ = ["tangent_frame", "vertex_normals", "vertex_tangents"]
 
 FIT_RIDGE = 1e-3
-"""Regularises the quadric where a vertex has fewer neighbours than the quadric has coefficients."""
+"""Ridge of the quadric's fit, for vertices with fewer neighbours than the quadric has coefficients."""
 
 
-def vertex_normals(positions: FloatArray, faces: IntArray) -> FloatArray:
-    """Return (V, 3) unit normals; vertices at one position share theirs.
+def vertex_normals(positions: FloatArray, faces: IntArray) -> FloatRows:
+    """Return unit normals (V, 3); vertices at one position have equal normals.
 
-    A weighted mean of face normals [Max1999] gives the first estimate, the osculating quadric
-    through the neighbours its correction [Cazals2005]: it halves the error on random triangulations.
+    The first estimate is a weighted mean of face normals [Max1999]. The osculating quadric through the
+    neighbours corrects it [Cazals2005], which halves the error on random triangulations.
     """
     group, first = weld(positions)
     p, f = positions[first], group[faces]
@@ -26,7 +26,7 @@ def vertex_normals(positions: FloatArray, faces: IntArray) -> FloatArray:
 
 
 def tangent_frame(normals: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return two unit vectors that complete each unit normal, without a branch [Duff2017]."""
+    """Return two unit vectors (..., 3) that form a frame with unit normals (..., 3) [Duff2017]."""
     x, y, z = normals[..., 0], normals[..., 1], normals[..., 2]
     sign = np.copysign(1.0, z)
     a = -1.0 / (sign + z)
@@ -38,11 +38,11 @@ def tangent_frame(normals: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def vertex_tangents(
     positions: FloatArray, normals: FloatArray, uvs: FloatArray, faces: IntArray
-) -> FloatArray:
-    """Return (V, 4): the unit tangent along +u, and the sign of the bitangent.
+) -> FloatRows:
+    """Return tangents (V, 4): the unit tangent along +u, and the sign of the bitangent.
 
-    The bitangent sign·(N × T) points up in the picture, towards decreasing v, as glTF's normal maps
-    want it. Where UVs are degenerate any tangent is given.
+    The bitangent sign·(N × T) points up in the picture, towards decreasing v, as in glTF. Degenerate UVs
+    give an arbitrary tangent.
     """
     p, t = positions[faces], uvs[faces]
     e1, e2 = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
@@ -101,6 +101,8 @@ def _quadric_normals(p: FloatArray, f: IntArray, normals: FloatArray) -> FloatAr
         for column in range(row, 5):
             entry = np.bincount(i, weighted * terms[column], count)
             matrix[:, row, column] = matrix[:, column, row] = entry
-        matrix[:, row, row] += FIT_RIDGE * (0.5 if row == 3 else 1.0)  # a²+b²/2+c² knows no axes
+        matrix[:, row, row] += FIT_RIDGE * (
+            0.5 if row == 3 else 1.0
+        )  # a²+b²/2+c² is invariant to rotation
     slope = np.linalg.solve(matrix, right)[:, :2, 0]
     return unit_vectors(normals - slope[:, :1] * u - slope[:, 1:] * v)

@@ -1,50 +1,58 @@
-"""How far rays go inside a body: Embree where it is installed, a bounding volume hierarchy otherwise."""
+"""Ray casting inside a body: Embree where it is installed, else a bounding volume hierarchy."""
 
 from __future__ import annotations
 
 from importlib.util import find_spec
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from .._core.arrays import FloatArray, IntArray, dot
+from .._core.choice import Choice
 from .._core.errors import ArgumentError
 
 __all__ = ["RayCaster", "RayTracing", "open_caster"]
 
-RayTracing = Literal["auto", "embree", "builtin"]
-
 LEAF = 4
 """Triangles in a leaf."""
 MOST_PAIRS = 1 << 20
-"""Rays and boxes that meet, at once: where faces lie on top of each other all rays meet all of them."""
+"""Pairs of rays and boxes in one step: with coincident faces, all rays intersect all boxes."""
 MOST_WALLS = 16
-"""Walls that a ray may enter before it leaves the body; more are none that a body has."""
+"""Faces that a ray may enter before it leaves the body; real bodies have fewer."""
+
+
+class RayTracing(Choice):
+    """Ray caster; ``auto`` is Embree where it is installed, else the built-in one."""
+
+    AUTO = "auto"
+    EMBREE = "embree"
+    BUILTIN = "builtin"
 
 
 class RayCaster(Protocol):
-    """Finds where rays leave a body."""
+    """Interface of a ray caster."""
 
     def exit_distances(self, origins: FloatArray, directions: FloatArray) -> FloatArray:
         """Return the distance (N,) to the first face that a ray leaves through; infinite without one."""
 
 
-def open_caster(positions: FloatArray, faces: IntArray, tracing: RayTracing = "auto") -> RayCaster:
-    """Return what casts rays in a mesh.
+def open_caster(
+    positions: FloatArray, faces: IntArray, tracing: str = RayTracing.AUTO
+) -> RayCaster:
+    """Return a ray caster for a mesh: positions (V, 3), faces (F, 3).
 
     Raises
     ------
     ArgumentError
-        If Embree is asked for and not installed.
+        If there is no such caster, or Embree is requested and not installed.
     """
-    there = find_spec("embreex") is not None
-    if tracing == "embree" and not there:
+    choice = RayTracing.of(tracing, "tracing")
+    has_embree = find_spec("embreex") is not None
+    if choice == RayTracing.EMBREE and not has_embree:
         raise ArgumentError(
             'tracing is embree, which is not installed: pip install "skinshade[embree]"'
         )
-    if tracing not in ("auto", "embree", "builtin"):
-        raise ArgumentError(f"tracing is {tracing!r}; it must be auto, embree or builtin")
-    if tracing == "builtin" or not there:
+    if choice == RayTracing.BUILTIN or not has_embree:
         return Hierarchy(positions, faces)
     return Embree(positions, faces)
 
@@ -55,7 +63,7 @@ def _face_normals(positions: FloatArray, faces: IntArray) -> FloatArray:
 
 
 class Embree:
-    """Embree's single precision: walls are found to 1e-6 of the body's size.
+    """Embree, in single precision: distances are exact to 1e-6 of the body's size.
 
     Parameters
     ----------
@@ -68,39 +76,39 @@ class Embree:
         from embreex.rtcore_scene import EmbreeScene
 
         self._middle = positions.mean(axis=0)
-        # At a size of one, single precision neither overflows nor loses what is small.
+        # Scaled to a size of 1, single precision neither overflows nor underflows.
         self._size = float(np.ptp(positions, axis=0).max()) or 1.0
         self._normals = _face_normals(positions, faces)
         self._scene: Any = EmbreeScene(robust=True)
         points = np.ascontiguousarray((positions - self._middle) / self._size, dtype=np.float32)
-        self._kept = TriangleMesh(self._scene, points, np.ascontiguousarray(faces, dtype=np.int32))
+        self._mesh = TriangleMesh(self._scene, points, np.ascontiguousarray(faces, dtype=np.int32))
 
     def exit_distances(self, origins: FloatArray, directions: FloatArray) -> FloatArray:
         """Return the distance (N,) to the first face that a ray leaves through; infinite without one."""
         result = np.full(len(origins), np.inf)
         travelled = np.zeros(len(origins))
-        going = np.arange(len(origins))
+        active = np.arange(len(origins))
         origins = (origins - self._middle) / self._size
         step = 1e-6
         for _ in range(MOST_WALLS):
-            start = origins[going] + travelled[going, None] * directions[going]
-            found = self._scene.run(
-                start.astype(np.float32), directions[going].astype(np.float32), output=True
+            start = origins[active] + travelled[active, None] * directions[active]
+            hits = self._scene.run(
+                start.astype(np.float32), directions[active].astype(np.float32), output=True
             )
-            hit = found["primID"] >= 0
-            going, face = going[hit], found["primID"][hit]
-            travelled[going] += found["tfar"][hit]
-            leaves = dot(self._normals[face], directions[going]) > 0.0
-            result[going[leaves]] = travelled[going[leaves]] * self._size
-            going = going[~leaves]
-            if not going.size:
+            hit = hits["primID"] >= 0
+            active, face = active[hit], hits["primID"][hit]
+            travelled[active] += hits["tfar"][hit]
+            leaves = dot(self._normals[face], directions[active]) > 0.0
+            result[active[leaves]] = travelled[active[leaves]] * self._size
+            active = active[~leaves]
+            if not active.size:
                 break
-            travelled[going] += step
+            travelled[active] += step
         return result
 
 
 class Hierarchy:
-    """A complete binary tree of boxes over triangles in Morton order; every ray at once, level by level.
+    """Complete binary tree of boxes over triangles in Morton order. All rays descend level by level.
 
     Parameters
     ----------
@@ -113,7 +121,7 @@ class Hierarchy:
         order = np.argsort(_morton_codes(corners.mean(axis=1)))
         leaves = 1 << max(int(np.ceil(np.log2(max(len(faces) / LEAF, 1.0)))), 0)
         padded = np.full(leaves * LEAF, -1, dtype=np.int64)
-        # Spread evenly: leaves hold three or four each instead of four or none.
+        # Evenly spread: leaves hold three or four triangles instead of four or none.
         padded[np.linspace(0, leaves * LEAF, len(faces), endpoint=False).astype(np.int64)] = order
         self._leaf_faces = padded.reshape(leaves, LEAF)
         low = np.where(padded[:, None] >= 0, corners[padded].min(axis=1), np.inf)
@@ -125,17 +133,17 @@ class Hierarchy:
             low = np.minimum(low[0::2], low[1::2])
             high = np.maximum(high[0::2], high[1::2])
             levels.insert(0, (low, high))
-        # An axis at a time, in single precision: boxes only have to hold what is in them.
+        # One axis at a time, in single precision; the slack keeps the triangles inside their boxes.
         slack = 1e-6 * float(np.abs(positions).max())
         self._levels = [
             [
                 (
-                    np.ascontiguousarray(each_low[:, axis] - slack, dtype=np.float32),
-                    np.ascontiguousarray(each_high[:, axis] + slack, dtype=np.float32),
+                    np.ascontiguousarray(low[:, axis] - slack, dtype=np.float32),
+                    np.ascontiguousarray(high[:, axis] + slack, dtype=np.float32),
                 )
                 for axis in range(3)
             ]
-            for each_low, each_high in levels
+            for low, high in levels
         ]
         self._corner = corners[:, 0]
         self._sides = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -157,23 +165,24 @@ class Hierarchy:
                 one, other = (low[node] - o) * i, (high[node] - o) * i
                 np.maximum(enter, np.minimum(one, other), out=enter)
                 np.minimum(leave, np.maximum(one, other), out=leave)
-            met = np.flatnonzero(leave >= enter)
-            if met.size > MOST_PAIRS and len(origins) > 1:
+            hit = np.flatnonzero(leave >= enter)
+            if hit.size > MOST_PAIRS and len(origins) > 1:
                 half = len(origins) // 2
                 parts = (slice(None, half), slice(half, None))
                 return np.concatenate(
-                    [self.exit_distances(origins[each], directions[each]) for each in parts]
+                    [self.exit_distances(origins[part], directions[part]) for part in parts]
                 )
-            ray, node = ray[met], node[met]
+            ray, node = ray[hit], node[hit]
         return self._nearest(origins, directions, ray, node)
 
     def _nearest(
         self, origins: FloatArray, directions: FloatArray, ray: IntArray, leaf: IntArray
     ) -> FloatArray:
+        """Return the nearest exit (N,) among the faces of the leaves that rays enter."""
         face = self._leaf_faces[leaf]
         ray = np.repeat(ray, LEAF)[face.ravel() >= 0]
         face = face.ravel()[face.ravel() >= 0]
-        # Moeller and Trumbore's test, of faces that are left only.
+        # Intersection after Möller and Trumbore, for faces through which a ray leaves.
         one, other = self._sides[0][face], self._sides[1][face]
         d = directions[ray]
         p = np.cross(d, other)
@@ -192,7 +201,7 @@ class Hierarchy:
 
 
 def _morton_codes(points: FloatArray) -> IntArray:
-    """Positions on a curve that keeps neighbours together, ten bits an axis."""
+    """Return the positions (N,) of points along the Morton curve, with ten bits per axis."""
     low, extent = points.min(axis=0), np.maximum(np.ptp(points, axis=0), 1e-300)
     cell = np.minimum((points - low) / extent * 1024.0, 1023.0).astype(np.int64)
     codes = np.zeros(len(points), dtype=np.int64)

@@ -1,9 +1,11 @@
-"""Meshes from files, through trimesh: glTF, OBJ, PLY, STL."""
+"""Meshes from files: glTF through the document model, OBJ, PLY and STL through trimesh."""
 
 from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,35 +15,44 @@ from .._core.arrays import FloatArray
 from .._core.errors import MeshFileError, SkinshadeError, UnitError, UnitWarning
 from .._core.files import existing_file
 from .._core.units import GLTF_UNIT_MM, checked_unit_mm
+from ..gltf import GLTF_SUFFIXES, TriangleSet, read_gltf, read_scene
+from ..gltf.primitives import joined
 from .baked import GLTF_NAMES, baked_attributes, baked_unit_mm
 from .model import Mesh
 
-__all__ = ["GLTF_SUFFIXES", "SUFFIXES", "load_mesh"]
+__all__ = ["SUFFIXES", "load_mesh"]
 
-GLTF_SUFFIXES = (".glb", ".gltf")
 SUFFIXES = (*GLTF_SUFFIXES, ".obj", ".ply", ".stl")
 SAME_UNIT = 1e-4
-"""Relative; node scales are single precision."""
+"""Relative difference of units that count as equal: node scales are single precision."""
 PLAUSIBLE_MM = (20.0, 3000.0)
-"""Diagonals between a fingertip and a tall person's; outside it metres are rarely what was meant."""
+"""Plausible diagonals of a body, from a fingertip to a tall person."""
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Triangles of a part of the file, and the unit that a bake noted for it, mm."""
+
+    triangles: TriangleSet
+    baked_unit_mm: float | None
 
 
 def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> Mesh:
-    """Read a mesh, all its parts as one, placed as the file's scene places them.
+    """Read a mesh: all parts of the file as one, placed as the file's scene places them.
 
     Parameters
     ----------
     path
         ``.glb``, ``.gltf``, ``.obj``, ``.ply`` or ``.stl``.
     unit_mm
-        Length of one unit of the file, mm. Only glTF states one (metres), or what `skinshade bake` noted;
-        any other file needs it.
+        Length of one unit of the file, mm. It can be left out for glTF, whose unit is the metre, and
+        for files of `skinshade bake`, which state theirs.
 
     Returns
     -------
     Mesh
-        UVs with v down, as in glTF, whatever the file's own convention. Attributes ``curvature``,
-        ``tensor`` and ``thickness`` if the file was baked for this unit.
+        UVs have v down, as in glTF, whatever the file's convention. Its attributes are the file's custom
+        ones, and ``curvature``, ``tensor`` and ``thickness`` if the file was baked for this unit.
 
     Raises
     ------
@@ -53,6 +64,14 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     -----
     UnitWarning
         If glTF's metres make the object smaller than a fingertip or larger than a person.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> from importlib.resources import files
+    >>> mesh = sk.load_mesh(files("skinshade") / "heads/assets/head.glb")
+    >>> mesh
+    Mesh(20560 vertices, 40034 faces, 174.2 × 322 × 213.1 mm, UVs, attributes: _REGION)
     """
     file = existing_file(path, MeshFileError)
     suffix = file.suffix.lower()
@@ -60,23 +79,30 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         raise MeshFileError(
             f"{file}: {suffix or 'no suffix'}; a mesh is one of {' '.join(SUFFIXES)}"
         )
-    stated = suffix in GLTF_SUFFIXES
-    if unit_mm is None and not stated:
+    is_gltf = suffix in GLTF_SUFFIXES
+    if unit_mm is None and not is_gltf:
         raise UnitError(
-            f"{file}: {suffix} files do not say their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
+            f"{file}: {suffix} files do not state their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
         )
-    parts = _parts(file)
-    baked = _common_unit([part.pop("baked_unit_mm") for part in parts])
+    parts = _gltf_parts(file) if is_gltf else _trimesh_parts(file)
+    triangles = joined([part.triangles for part in parts])
+    baked = _common_unit([part.baked_unit_mm for part in parts])
     given = None if unit_mm is None else checked_unit_mm(unit_mm, str(file))
     unit = given or baked or GLTF_UNIT_MM
     if baked is None or abs(unit / baked - 1.0) > SAME_UNIT:
-        # Baked for another size, or for none that is known: curvature is not what it says.
-        for part in parts:
-            part["attributes"] = {
-                key: value for key, value in part["attributes"].items() if key not in GLTF_NAMES
-            }
+        # Values that were baked for another unit, or for none that is known, do not hold.
+        kept = {k: v for k, v in triangles.attributes.items() if k not in GLTF_NAMES}
+        triangles = replace(triangles, attributes=kept)
     try:
-        mesh = Mesh.checked(**_joined(parts, file), unit_mm=unit, name=str(file))
+        mesh = Mesh.checked(
+            triangles.positions,
+            triangles.faces,
+            unit_mm=unit,
+            normals=triangles.normals,
+            uvs=triangles.uvs,
+            attributes={name: _narrow(v) for name, v in triangles.attributes.items()},
+            name=str(file),
+        )
     except SkinshadeError as error:
         raise type(error)(str(error)) from None
     if unit_mm is None and baked is None:
@@ -84,8 +110,13 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     return mesh
 
 
-def _common_unit(units: list[float | None]) -> float | None:
-    """The unit that baking noted, if it noted the same one for every part."""
+def _narrow(values: FloatArray) -> FloatArray:
+    """Return a column (V, 1) as (V,)."""
+    return values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values
+
+
+def _common_unit(units: Sequence[float | None]) -> float | None:
+    """Return the unit that a bake noted for every part, or None if they differ or one is missing."""
     known = [unit for unit in units if unit is not None]
     if len(known) < len(units) or max(known) > min(known) * (1.0 + SAME_UNIT):
         return None
@@ -96,40 +127,54 @@ def _warn_of_size(mesh: Mesh, file: Path) -> None:
     diagonal = float(np.linalg.norm(np.ptp(mesh.positions_mm, axis=0)))
     if not PLAUSIBLE_MM[0] <= diagonal <= PLAUSIBLE_MM[1]:
         warnings.warn(
-            f"{file}: in metres, as glTF prescribes, it is {diagonal / GLTF_UNIT_MM:.3g} m across; "
-            "give unit_mm if another unit was meant",
+            f"{file}: in metres, the unit of glTF, the object is {diagonal / GLTF_UNIT_MM:.3g} m across;"
+            " give unit_mm if the file has another unit",
             UnitWarning,
             stacklevel=3,
         )
 
 
-def _parts(file: Path) -> list[dict[str, Any]]:
-    import trimesh  # a third of a second to import
+def _gltf_parts(file: Path) -> list[_Part]:
+    gltf = read_gltf(file)
+    parts = []
+    for placed in read_scene(gltf, custom=True):
+        extras = gltf.items("meshes")[placed.mesh].get("extras")
+        note = extras.get("skinshade") if isinstance(extras, dict) else None
+        unit = baked_unit_mm(note, placed.matrix)
+        triangles = placed.triangles
+        if unit is not None:
+            baked = baked_attributes(triangles.attributes, placed.matrix)
+            triangles = replace(triangles, attributes={**triangles.attributes, **baked})
+        parts.append(_Part(triangles, unit))
+    return parts
 
+
+def _trimesh_parts(file: Path) -> list[_Part]:
+    import trimesh
+
+    is_obj = file.suffix.lower() == ".obj"
     options: dict[str, Any] = {"process": False}
-    if file.suffix.lower() == ".obj":
+    if is_obj:
         options["skip_materials"] = True
         _refuse_index_zero(file)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of its own arithmetic on files without materials
+            warnings.simplefilter("ignore")  # trimesh's arithmetic on files without materials
             scene = trimesh.load_scene(file, **options)
-        parts = []
-        for node in scene.graph.nodes_geometry:
-            matrix, name = scene.graph[node]
-            geometry = scene.geometry[name]
-            if isinstance(geometry, trimesh.Trimesh):
-                part = _part(geometry, np.asarray(matrix, dtype=np.float64))
-                parts.append(_merged(part) if file.suffix.lower() == ".obj" else part)
-    except Exception as error:
+        sets = [
+            _trimesh_triangles(scene.geometry[name], np.asarray(matrix, dtype=np.float64))
+            for matrix, name in (scene.graph[node] for node in scene.graph.nodes_geometry)
+            if isinstance(scene.geometry[name], trimesh.Trimesh)
+        ]
+    except Exception as error:  # trimesh raises many types
         raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r:.300}") from None
-    if not parts:
+    if not sets:
         raise MeshFileError(f"{file}: holds no triangles")
-    return parts
+    return [_Part(_merged(triangles) if is_obj else triangles, None) for triangles in sets]
 
 
 def _refuse_index_zero(file: Path) -> None:
-    """OBJ counts from 1; readers take 0 for the vertex before the first, which is the last."""
+    """Raise if a face has vertex index 0: OBJ counts from 1, and readers take 0 for the last vertex."""
     with file.open("rb") as lines:
         for number, line in enumerate(lines, 1):
             if line.startswith(b"f ") and any(
@@ -138,13 +183,13 @@ def _refuse_index_zero(file: Path) -> None:
                 raise MeshFileError(f"{file}: line {number} has vertex index 0; OBJ counts from 1")
 
 
-def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:
+def _trimesh_triangles(geometry: Any, matrix: FloatArray) -> TriangleSet:
     linear = matrix[:3, :3]
     positions = np.asarray(geometry.vertices, dtype=np.float64)
     faces = np.asarray(geometry.faces, dtype=np.int64)
-    # trimesh computes normals on request; only those that came with the file are in its cache.
-    given = geometry._cache.cache.get("vertex_normals")
-    normals = None if given is None else np.asarray(given, dtype=np.float64)
+    # trimesh computes normals on request; its cache holds only those of the file.
+    stored = geometry._cache.cache.get("vertex_normals")
+    normals = None if stored is None else np.asarray(stored, dtype=np.float64)
     if not np.array_equal(matrix, np.eye(4)):
         positions = positions @ linear.T + matrix[:3, 3]
         if normals is not None:
@@ -153,62 +198,30 @@ def _part(geometry: Any, matrix: FloatArray) -> dict[str, Any]:
             faces = faces[:, ::-1]
     uv = getattr(geometry.visual, "uv", None)
     uvs = None if uv is None else np.asarray(uv, dtype=np.float64)[:, :2] * (1.0, -1.0) + (0.0, 1.0)
+    columns = {key: np.asarray(value) for key, value in geometry.vertex_attributes.items()}
     attributes = {
-        key: np.asarray(value, dtype=np.float64)
-        for key, value in geometry.vertex_attributes.items()
-        if np.asarray(value).dtype.kind in "fiu" and np.asarray(value).ndim in (1, 2)
+        key: value.astype(np.float64).reshape(len(value), -1)
+        for key, value in columns.items()
+        if value.dtype.kind in "fiu" and value.ndim in (1, 2)
     }
-    unit = baked_unit_mm(geometry.metadata.get("skinshade"), matrix)
-    if unit is not None:
-        attributes |= baked_attributes(attributes, matrix)
-    return {
-        "positions": positions,
-        "faces": faces,
-        "normals": normals,
-        "uvs": uvs,
-        "attributes": attributes,
-        "baked_unit_mm": unit,
-    }
+    return TriangleSet(positions, faces, normals, uvs, attributes)
 
 
-def _merged(part: dict[str, Any]) -> dict[str, Any]:
-    """One vertex for all corners of equal position, UV and normal: OBJ counts them one by one."""
-    columns = [part[key] for key in ("positions", "uvs", "normals") if part[key] is not None]
+def _merged(triangles: TriangleSet) -> TriangleSet:
+    """Merge vertices of equal position, UV and normal: OBJ has one for every corner of a face."""
+    arrays = (triangles.positions, triangles.uvs, triangles.normals)
+    columns = [array for array in arrays if array is not None]
     _, first, group = np.unique(
         np.concatenate(columns, axis=1), axis=0, return_index=True, return_inverse=True
     )
-    order = np.argsort(first)  # as they came
+    order = np.argsort(first)  # in the order of the file
     rank = np.empty_like(order)
     rank[order] = np.arange(order.size)
     kept = first[order]
-    merged = {
-        key: None if part[key] is None else part[key][kept]
-        for key in ("positions", "uvs", "normals")
-    }
-    attributes = {key: value[kept] for key, value in part["attributes"].items()}
-    merged["baked_unit_mm"] = part["baked_unit_mm"]
-    return merged | {"faces": rank[group.ravel()][part["faces"]], "attributes": attributes}
-
-
-def _joined(parts: list[dict[str, Any]], file: Path) -> dict[str, Any]:
-    """One mesh of all parts; what not every part has is left out."""
-    if len(parts) == 1:
-        return parts[0]
-    offsets = np.cumsum([0] + [part["positions"].shape[0] for part in parts])
-    joined: dict[str, Any] = {
-        "positions": np.concatenate([part["positions"] for part in parts]),
-        "faces": np.concatenate(
-            [part["faces"] + offset for part, offset in zip(parts, offsets[:-1], strict=True)]
-        ),
-    }
-    for key in ("normals", "uvs"):
-        if all(part[key] is not None for part in parts):
-            joined[key] = np.concatenate([part[key] for part in parts])
-    shared = set.intersection(
-        *({(key, value.shape[1:]) for key, value in part["attributes"].items()} for part in parts)
+    return TriangleSet(
+        triangles.positions[kept],
+        rank[group.ravel()][triangles.faces],
+        None if triangles.normals is None else triangles.normals[kept],
+        None if triangles.uvs is None else triangles.uvs[kept],
+        {name: value[kept] for name, value in triangles.attributes.items()},
     )
-    joined["attributes"] = {
-        key: np.concatenate([part["attributes"][key] for part in parts])
-        for key, _ in sorted(shared)
-    }
-    return joined

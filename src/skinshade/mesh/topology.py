@@ -1,4 +1,4 @@
-"""Who is whose neighbour: welding by position, edges, areas."""
+"""Topology of meshes: welding by position, edges, neighbours, areas."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from .._core.arrays import FloatArray, IntArray
 __all__ = ["Neighbours", "corner_areas", "face_areas", "half_edges", "open_edge_counts", "weld"]
 
 BLOCK = 1 << 14
-"""Faces at once: what they need stays in a cache."""
+"""Faces in a block, whose data fit in a cache."""
 Index = TypeVar("Index", np.int32, np.int64)
 
 
 def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
-    """Group vertices that stand at the same position, as those on both sides of a UV seam do.
+    """Group vertices at equal positions, such as those on both sides of a UV seam.
 
     Returns
     -------
     group, first
-        (V,) group of each vertex, and (G,) one vertex of each group.
+        (V,) groups of the vertices, and (G,) the first vertex of every group.
     """
-    # One sort of an irrational mixture of the coordinates finds equal positions; the check after it
-    # makes sure that no two different ones fell together.
+    # Sorting one irrational combination of the coordinates finds equal positions; the check that follows
+    # ensures that different positions have not the same combination.
     mixed = positions @ np.array([1.0, np.sqrt(2.0), np.pi])
     _, first, group = np.unique(mixed, return_index=True, return_inverse=True)
     if not np.array_equal(positions[first[group]], positions):
@@ -36,26 +36,24 @@ def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
 
 
 def half_edges(faces: NDArray[Index]) -> tuple[NDArray[Index], NDArray[Index]]:
-    """Return both ends (3F,), (3F,) of every side of every face: an inner edge once each way."""
+    """Return both ends (3F,), (3F,) of the sides of the faces; an inner edge occurs in both directions."""
     return faces.ravel(), faces[:, [1, 2, 0]].ravel()
 
 
 @dataclass(frozen=True)
 class Neighbours:
-    """Who stands at the other end of the edges of each vertex, vertex by vertex.
-
-    An edge counts at both its ends, half for each face beside it.
+    """Edges of every vertex, in one table. An edge occurs at both its ends, with half a share per face.
 
     Attributes
     ----------
     starts
-        (V + 1,) where the edges of each vertex begin.
+        (V + 1,) index of the first edge of every vertex.
     ends
-        (E,) the other end of each.
+        (E,) other ends of the edges.
     shares
-        (E,) how much each counts, or None where every one has two faces.
+        (E,) weights of the edges, or None if all edges have two faces.
     first
-        Number of the first vertex; not 0 in a block of a larger mesh.
+        Index of the first vertex; not 0 in a block of a larger mesh.
     """
 
     starts: NDArray[np.int32]
@@ -65,12 +63,12 @@ class Neighbours:
 
     @classmethod
     def of(cls, faces: IntArray, count: int) -> Neighbours:
-        """Return the neighbours of each of a number of vertices."""
+        """Return the neighbours of `count` vertices."""
         alone = _perhaps_alone(*half_edges(faces), count)
         one, other = half_edges(faces.astype(np.int32))
         shares = np.ones(one.size)
         if alone.size:
-            # Between two faces an edge is met once from each end; these are seen from both.
+            # Sides between two faces occur once from both ends; the others are added from the other end.
             shares[alone] = 0.5
             one, other = np.append(one, other[alone]), np.append(other, one[alone])
             shares = np.append(shares, shares[alone])
@@ -79,48 +77,48 @@ class Neighbours:
         return cls(table.indptr, table.indices, table.data if uneven else None)
 
     def block(self, first: int, last: int) -> Neighbours:
-        """Return the edges of the vertices from first to last, the last one left out."""
+        """Return the edges of the vertices `first` to `last` − 1."""
         inside = slice(self.starts[first], self.starts[last])
         shares = None if self.shares is None else self.shares[inside]
         starts = self.starts[first : last + 1] - self.starts[first]
         return Neighbours(starts, self.ends[inside], shares, first)
 
     def differences(self, values: FloatArray) -> FloatArray:
-        """Return (E,) how much a value of the whole mesh (V,) is more at the other end."""
-        here = values[self.first : self.first + self.starts.size - 1]
-        return values[self.ends] - np.repeat(here, np.diff(self.starts))
+        """Return the differences (E,) of values (V,) between the other end and the vertex."""
+        own = values[self.first : self.first + self.starts.size - 1]
+        return values[self.ends] - np.repeat(own, np.diff(self.starts))
 
     def sums(self, values: FloatArray) -> FloatArray:
-        """Return (V,) sums of values (E,) over the edges of each vertex."""
+        """Return the sums (V,) of values (E,) over the edges of every vertex."""
         starts, degree = self.starts[:-1], np.diff(self.starts)
         counted = values if self.shares is None else values * self.shares
         padded = np.append(counted, 0.0)
-        found: FloatArray = np.add.reduceat(padded, starts)
-        found[degree == 0] = 0.0
-        return found
+        result: FloatArray = np.add.reduceat(padded, starts)
+        result[degree == 0] = 0.0
+        return result
 
 
 def _perhaps_alone(one: IntArray, other: IntArray, count: int) -> IntArray:
-    """Half-edges among which are all that have no partner the other way.
+    """Return sides that include all sides without a partner in the other direction.
 
-    A number for each vertex, summed over where its edges go and over where they come from, tells those
-    apart whose edges do not pair: sums of whole numbers below 2^53 are exact.
+    Every vertex has a random number. Its sums over the ends of outgoing and incoming sides differ where
+    sides are unpaired; sums of whole numbers below 2^53 are exact.
     """
     number = np.random.default_rng(1).integers(1, 1 << 40, count).astype(np.float64)
-    there = np.bincount(one, number[other], count)
-    back = np.bincount(other, number[one], count)
-    unpaired = there != back
+    outgoing = np.bincount(one, number[other], count)
+    incoming = np.bincount(other, number[one], count)
+    unpaired = outgoing != incoming
     if not unpaired.any():
         return np.zeros(0, dtype=np.int64)
     return np.flatnonzero(unpaired[one] & unpaired[other])
 
 
 def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
-    """Return (F,) areas in the square of the positions' unit."""
+    """Return the areas (F,) of the faces, in the square of the positions' unit."""
     axes = [np.ascontiguousarray(axis) for axis in positions.T]
     result = np.empty(len(faces))
     for first in range(0, len(faces), BLOCK):
-        # An axis at a time: NumPy's cross product of rows takes three times as long.
+        # One axis at a time: NumPy's cross product of rows takes three times as long.
         a, b, c = faces[first : first + BLOCK].T
         origin = [axis[a] for axis in axes]
         x, y, z = (axis[b] - start for axis, start in zip(axes, origin, strict=True))
@@ -131,13 +129,13 @@ def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
 
 
 def corner_areas(positions: FloatArray, faces: IntArray, vertex_count: int) -> FloatArray:
-    """Return (V,) a third of the area of the faces around each vertex."""
+    """Return a third of the area of the faces around every vertex (V,)."""
     thirds = np.repeat(face_areas(positions, faces) / 3.0, 3)
     return np.bincount(faces.ravel(), thirds, vertex_count).astype(np.float64)
 
 
 def open_edge_counts(positions: FloatArray, faces: IntArray) -> dict[str, int]:
-    """Count open and non-manifold edges and those whose faces disagree on winding, after welding."""
+    """Return counts of open edges, non-manifold edges, and edges of opposite winding, after welding."""
     group, _ = weld(positions)
     welded = group[faces]
     start, end = half_edges(welded)

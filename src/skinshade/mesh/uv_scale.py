@@ -1,4 +1,4 @@
-"""The length that one unit of UV spans on a mesh (MODEL §8), summed in float64."""
+"""Length that one unit of UV spans on a mesh (MODEL §8)."""
 
 from __future__ import annotations
 
@@ -12,31 +12,38 @@ __all__ = ["mesh_uv_scale"]
 
 
 def mesh_uv_scale(positions: ArrayLike, uvs: ArrayLike, faces: ArrayLike) -> float:
-    """Return the geometric mean over triangles of longest edge over longest UV edge.
+    """Return the length of the UV unit on a mesh: the geometric mean of longest edge over longest UV edge.
 
     Parameters
     ----------
     positions, uvs, faces
-        (V, 3), (V, 2) and (F, 3); triangles without extent in space or in UV do not count.
+        (V, 3), (V, 2) and (F, 3). Triangles without an extent in space or in UV are ignored.
 
     Returns
     -------
     float
-        In the unit of `positions`.
+        Length in the unit of `positions`.
 
     Raises
     ------
     ArgumentError, MeshError
         If an array is malformed, or no triangle has an extent in both.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> corners, uvs = [[0, 0, 0], [20, 0, 0], [0, 20, 0]], [[0, 0], [0.5, 0], [0, 0.5]]
+    >>> round(sk.mesh_uv_scale(corners, uvs, [[0, 1, 2]]), 6)
+    40.0
     """
     p = as_positions("positions", positions)
     t = as_floats("uvs", uvs, (p.shape[0], 2))
     f = as_faces("faces", faces, p.shape[0])
     in_space, in_uv = _longest_edge2(p[f]), _longest_edge2(t[f])
-    real = (in_space > 0.0) & (in_uv > 0.0)
-    if not real.any():
+    usable = (in_space > 0.0) & (in_uv > 0.0)
+    if not usable.any():
         raise MeshError("uvs: no triangle spans an area of the texture; unwrap the mesh first")
-    return float(np.exp(0.5 * np.mean(np.log(in_space[real]) - np.log(in_uv[real]))))
+    return float(np.exp(0.5 * np.mean(np.log(in_space[usable]) - np.log(in_uv[usable]))))
 
 
 def _longest_edge2(

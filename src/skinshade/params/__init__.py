@@ -1,4 +1,4 @@
-"""Parameters of shading: frozen, with unit, range, source and meaning in each field's metadata."""
+"""Constant blocks and enumerations that Python and shaders share: fields with unit, range and source."""
 
 from .frame import FrameParams, LightParams
 from .scatter import ScatterParams
@@ -12,4 +12,4 @@ BLOCKS: dict[str, type] = {
     "FrameBlock": FrameParams,
     "LightBlock": LightParams,
 }
-"""Every constant block by its name in a shader; the first two are the library's."""
+"""Constant blocks, by name in shaders. The first two belong to the shader library."""

@@ -1,4 +1,4 @@
-"""Fields that know their unit, range and meaning, and the check that uses them."""
+"""Dataclass fields with unit, range and meaning, and a check of the ranges."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ __all__ = ["Meaning", "checked_fields", "meaning", "number"]
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a parameter is.
+    """Unit, range, description and source of a parameter.
 
     Attributes
     ----------
     unit
-        ``1`` where it has none.
+        Unit; ``1`` if the parameter has none.
     low, high
-        Closed range.
+        Ends of the closed range.
     about
-        One sentence.
+        Description in one sentence.
     source
-        Key in ``REFERENCES.bib``, where the default has one.
+        Key in ``REFERENCES.bib`` of the source of the default; empty if there is none.
     """
 
     unit: str
@@ -40,25 +40,35 @@ def number(default: Any, unit: str, low: float, high: float, about: str, source:
     return field(default=default, metadata={"meaning": Meaning(unit, low, high, about, source)})
 
 
-def meaning(of: Field[Any]) -> Meaning:
-    """Return the `Meaning` of a field made by `number`."""
-    result: Meaning = of.metadata["meaning"]
+def meaning(field: Field[Any]) -> Meaning:
+    """Return the `Meaning` of a field made by `number`.
+
+    Examples
+    --------
+    >>> from dataclasses import fields
+    >>> import skinshade as sk
+    >>> from skinshade.params.fields import meaning
+    >>> gloss = next(field for field in fields(sk.SkinParams) if field.name == "gloss")
+    >>> meaning(gloss).low, meaning(gloss).high, meaning(gloss).source
+    (0.0, 1.0, 'Lagarde2011')
+    """
+    result: Meaning = field.metadata["meaning"]
     return result
 
 
 def checked_fields(instance: Any) -> None:
-    """Raise if any field of a dataclass lies outside its range.
+    """Check that every field of a dataclass lies in its range.
 
     Raises
     ------
     ArgumentError
-        Naming the field, its value and its range with the unit.
+        If a field lies outside; the message gives the field, its value, its range and its unit.
     """
-    for of in fields(instance):
-        m, value = meaning(of), getattr(instance, of.name)
+    for parameter in fields(instance):
+        m, value = meaning(parameter), getattr(instance, parameter.name)
         array = np.asarray(value, dtype=np.float64)
         if not np.isfinite(array).all() or (array < m.low).any() or (array > m.high).any():
             unit = "" if m.unit == "1" else f" {m.unit}"
             raise ArgumentError(
-                f"{of.name} is {value}; it must lie in [{m.low:g}, {m.high:g}]{unit}"
+                f"{parameter.name} is {value}; it must lie in [{m.low:g}, {m.high:g}]{unit}"
             )

@@ -1,4 +1,4 @@
-"""What a shader knows of a diffusion profile: numbers that go with its tables."""
+"""Constants of a diffusion profile and of its tables, for shaders."""
 
 from __future__ import annotations
 
@@ -10,33 +10,47 @@ from .packing import pack
 __all__ = ["ScatterParams"]
 
 WIDEST_MM = 1e4
+"""Limit of lengths of a profile, mm."""
 AXES = "Axes of {}: low and 1/(high − low) of the columns, then of the rows."
+"""Description of the axes of a table."""
 
 
 @dataclass(frozen=True)
 class ScatterParams:
-    """Numbers of one profile and of its tables; ranges are checked.
+    """Constants of a diffusion profile and of its tables; ranges are checked.
 
-    Each field's metadata holds its `skinshade.params.fields.Meaning`.
+    The metadata of each field holds its `skinshade.params.fields.Meaning`.
     """
 
     albedo: tuple[float, float, float] = number(
         (0.436, 0.227, 0.131), "1", 1e-4, 0.9999, "Diffuse albedo of the profile."
     )
     rms_radius_mm: tuple[float, float, float] = number(
-        (2.42, 1.06, 0.66), "mm", 0.0, WIDEST_MM, "Root of the profile's mean square radius."
+        (2.42, 1.06, 0.66), "mm", 0.0, WIDEST_MM, "Root mean square radius of the profile."
     )
     sigma_per_mm: tuple[float, float, float] = number(
-        (0.5, 1.1, 1.8), "1/mm", 0.0, 1e6, "Decay of light that comes through."
+        (0.5, 1.1, 1.8), "1/mm", 0.0, 1e6, "Decay of light that passes through the body."
     )
     blend_red: tuple[float, float, float] = number(
-        (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Red's weights of the sharp, narrow and wide normal."
+        (1.0, 0.0, 0.0),
+        "1",
+        0.0,
+        1.0,
+        "Weights of the sharp, narrow and wide normal for red light.",
     )
     blend_green: tuple[float, float, float] = number(
-        (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Green's weights of the sharp, narrow and wide normal."
+        (1.0, 0.0, 0.0),
+        "1",
+        0.0,
+        1.0,
+        "Weights of the sharp, narrow and wide normal for green light.",
     )
     blend_blue: tuple[float, float, float] = number(
-        (1.0, 0.0, 0.0), "1", 0.0, 1.0, "Blue's weights of the sharp, narrow and wide normal."
+        (1.0, 0.0, 0.0),
+        "1",
+        0.0,
+        1.0,
+        "Weights of the sharp, narrow and wide normal for blue light.",
     )
     ring_axes: tuple[float, float, float, float] = number(
         (-1.0, 0.5, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the ring's table, rows √(1/mm)")
@@ -51,18 +65,22 @@ class ScatterParams:
         (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the shadow table, rows 1/mm")
     )
     classic_axes: tuple[float, float, float, float] = number(
-        (-1.0, 0.5, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("2014's curvature table, rows 1/mm")
+        (-1.0, 0.5, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the curvature table of 2014, rows 1/mm")
     )
     classic_shadow_axes: tuple[float, float, float, float] = number(
-        (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("2014's shadow table, rows 1/mm")
+        (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the shadow table of 2014, rows 1/mm")
     )
     normal_sigmas_mm: tuple[float, float] = number(
-        (0.0, 0.0), "mm", 0.0, WIDEST_MM, "Blur of the narrow and the wide normal."
+        (0.0, 0.0),
+        "mm",
+        0.0,
+        WIDEST_MM,
+        "Standard deviations of the narrow and the wide blur of the normal map.",
     )
 
     def __post_init__(self) -> None:
         checked_fields(self)
 
     def pack(self) -> bytes:
-        """Return the bytes of ``ScatterBlock``, as ``shaders/generated/layout.json`` lays them out."""
+        """Return the bytes of ``ScatterBlock`` in the layout of ``shading/generated/layout.json``."""
         return pack("ScatterBlock", self)

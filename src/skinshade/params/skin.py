@@ -1,10 +1,12 @@
-"""The parameters of one skin material."""
+"""Parameters of a skin material."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import InitVar, dataclass
 
+from .._core.arrays import as_floats
 from .fields import checked_fields, number
+from .gloss import gloss_from_roughness
 from .packing import pack
 
 __all__ = ["SkinParams"]
@@ -12,36 +14,68 @@ __all__ = ["SkinParams"]
 
 @dataclass(frozen=True)
 class SkinParams:
-    """Numbers that shading takes beside profile and maps; ranges are checked.
+    """Parameters of a skin material, besides its profile and its maps; ranges are checked.
 
-    Each field's metadata holds its `skinshade.params.fields.Meaning`.
+    The metadata of each field holds its `skinshade.params.fields.Meaning`: unit, range, source.
+
+    Parameters
+    ----------
+    roughness
+        GGX roughness, 0..1. If it is given, it replaces ``gloss``.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> round(sk.SkinParams(roughness=0.45).gloss, 3)
+    0.427
     """
 
     scatter_scale: float = number(
-        1.0, "1", 0.05, 20.0, "Multiplies every length of the diffusion profile."
+        1.0, "1", 0.05, 20.0, "Factor on every length of the diffusion profile."
     )
-    normal_strength: float = number(1.0, "1", 0.0, 2.0, "Multiplies the slopes of the normal map.")
+    normal_strength: float = number(1.0, "1", 0.0, 2.0, "Factor on the slopes of the normal map.")
     gloss: float = number(
-        0.35, "1", 0.0, 1.0, "Of the first specular lobe: its power is 2^(13 gloss).", "Lagarde2011"
+        0.35,
+        "1",
+        0.0,
+        1.0,
+        "Gloss of the first specular lobe, whose power is 2^(13 gloss).",
+        "Lagarde2011",
     )
     reflectance: float = number(
-        0.028, "1", 0.0, 0.2, "Specular at normal incidence; .028 is skin's index 1.4."
+        0.028,
+        "1",
+        0.0,
+        0.2,
+        "Specular reflectance at normal incidence; .028 for skin, whose refractive index is 1.4.",
     )
     shadow_filter_width_mm: float = number(
         8.0,
         "mm",
         1.0,
         100.0,
-        "Width across the light of the wide shadow filter, the same everywhere.",
+        "Width of the wide shadow filter, across the light.",
     )
     shadow_sharpening: float = number(
-        8.0, "1", 1.0, 100.0, "How many times narrower than the filter the cast shadow's edge is."
+        8.0,
+        "1",
+        1.0,
+        100.0,
+        "Width of the wide shadow filter, divided by the width of the edge of a cast shadow.",
     )
     deep_scatter_strength: float = number(
-        1.0, "1", 0.0, 10.0, "Multiplies light that comes through the body; 1 is physical."
+        1.0,
+        "1",
+        0.0,
+        10.0,
+        "Factor on light that passes through the body; 1 is physically correct.",
     )
     deep_scatter_offset_mm: float = number(
-        0.6, "mm", 0.0, 10.0, "How far inwards the point moves before its depth is compared."
+        0.6,
+        "mm",
+        0.0,
+        10.0,
+        "Distance by which a point moves inwards before its depth is compared.",
     )
     deep_scatter_filter_mm: float = number(
         2.5, "mm", 0.0, 20.0, "Radius of the disk over which thickness is averaged."
@@ -51,19 +85,33 @@ class SkinParams:
         "1/mm",
         0.0,
         50.0,
-        "Decay of light that comes through; 0: 1.2/rms radius.",
+        "Decay of light that passes through the body; 0 means 1.2/rms radius.",
         "KubelkaMunk1931",
     )
     deep_scatter_tint: tuple[float, float, float] = number(
-        (1.0, 1.0, 1.0), "1", 0.0, 1.0, "Colour of light that comes through, beside its texture."
+        (1.0, 1.0, 1.0),
+        "1",
+        0.0,
+        1.0,
+        "Colour of light that passes through the body, multiplied by the colour of its map.",
     )
     classic_deep_scatter_radius_mm: float = number(
-        5.5, "mm", 0.1, 100.0, "Of the falloff of 2014, used by classic shading alone.", "Green2007"
+        5.5,
+        "mm",
+        0.1,
+        100.0,
+        "Radius of the falloff of deep scatter in classic shading.",
+        "Green2007",
     )
 
-    def __post_init__(self) -> None:
+    roughness: InitVar[float | None] = None
+
+    def __post_init__(self, roughness: float | None) -> None:
+        if roughness is not None:
+            value = as_floats("roughness", roughness, (), low=0.0, high=1.0)
+            object.__setattr__(self, "gloss", float(gloss_from_roughness(value)))
         checked_fields(self)
 
     def pack(self) -> bytes:
-        """Return the bytes of ``SkinBlock``, as ``shaders/generated/layout.json`` lays them out."""
+        """Return the bytes of ``SkinBlock`` in the layout of ``shading/generated/layout.json``."""
         return pack("SkinBlock", self)

@@ -1,4 +1,4 @@
-"""Diffusion profiles, each one a transfer function over spatial frequency (MODEL §1)."""
+"""Diffusion profiles: transfer functions over spatial frequency (MODEL §1)."""
 
 from .gaussians import GaussianMixture
 from .presets import presets

@@ -1,4 +1,4 @@
-"""Burley's normalised diffusion [Christensen2015], exactly, from any of its three lengths."""
+"""Burley's normalised diffusion [Christensen2015], with an exact transfer function."""
 
 from __future__ import annotations
 
@@ -15,14 +15,19 @@ __all__ = ["BurleyKernel", "BurleyLength", "shape_length_mm"]
 BurleyLength = Literal[
     "shape", "mean-free-path-searchlight", "mean-free-path-diffuse", "diffuse-mean-free-path"
 ]
-"""What a length given for Burley's profile is; renderers confuse them, and they differ twofold."""
+"""Kinds of length that renderers give for Burley's profile; they differ by factors of two."""
 
 
 def shape_length_mm(length_mm: FloatArray, kind: BurleyLength, albedo: FloatArray) -> FloatArray:
-    """Return d = l/s, the scale of the two exponentials, from a length of a stated kind.
+    """Return d (3,), the scale of the two exponentials, mm, from a length (3,) of a kind: d = l/s(A).
 
     The scalings s(A) are the fits of [Christensen2015]: equations 5 (searchlight), 6 (diffuse
     surface transmission) and 8 (diffuse mean free path).
+
+    Raises
+    ------
+    ArgumentError
+        If the kind is unknown.
     """
     if kind == "shape":
         return length_mm
@@ -37,13 +42,19 @@ def shape_length_mm(length_mm: FloatArray, kind: BurleyLength, albedo: FloatArra
 
 @dataclass(frozen=True)
 class BurleyKernel:
-    """(e^{−r/d} + e^{−r/3d})/(8πdr) with d (3,) in mm."""
+    """Kernel (e^{−r/d} + e^{−r/3d})/(8πdr).
+
+    Attributes
+    ----------
+    d_mm
+        (3,) scale of the exponentials, mm.
+    """
 
     d_mm: FloatArray
 
     @property
     def mean_square_radius_mm2(self) -> FloatArray:
-        """(3,) 14 d², mm²."""
+        """(3,) second moment of R over the plane: 14 d², mm²."""
         return 14.0 * np.square(self.d_mm)
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:

@@ -1,4 +1,4 @@
-"""The dipole of diffusion theory [Jensen2001]; poor below one mean free path, kept for interchange."""
+"""Dipole of diffusion theory [Jensen2001]. It is inaccurate within one mean free path of the entry."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["DipoleKernel", "fresnel_diffuse_reflectance"]
 
 
 def fresnel_diffuse_reflectance(ior: float) -> float:
-    """Return the share of diffuse light that the boundary reflects inwards, ior ≥ 1 [Jensen2001]."""
+    """Return the share of diffuse light that the boundary reflects inwards [Jensen2001]; 0 for `ior` ≤ 1."""
     if ior <= 1.0:
         return 0.0
     return -1.440 / ior**2 + 0.710 / ior + 0.668 + 0.0636 * ior
@@ -20,14 +20,14 @@ def fresnel_diffuse_reflectance(ior: float) -> float:
 
 @dataclass(frozen=True)
 class DipoleKernel:
-    """Real and virtual source at depths z_r and z_v below and above the surface.
+    """Kernel of a real source below the surface and a virtual source above it.
 
     Attributes
     ----------
     sigma_s_prime_per_mm, sigma_a_per_mm
         (3,) reduced scattering and absorption, 1/mm.
     ior
-        Refractive index of the medium over that outside.
+        Refractive index of the medium relative to the outside.
     """
 
     sigma_s_prime_per_mm: FloatArray
@@ -43,7 +43,7 @@ class DipoleKernel:
 
     @property
     def depths_mm(self) -> tuple[FloatArray, FloatArray]:
-        """(3,) depths z_r and z_v of the sources, mm, both positive."""
+        """(3,) distances z_r and z_v of the sources from the surface, mm."""
         reflected = fresnel_diffuse_reflectance(self.ior)
         mismatch = (1.0 + reflected) / (1.0 - reflected)
         z_r = 1.0 / (self.sigma_a_per_mm + self.sigma_s_prime_per_mm)
@@ -57,7 +57,7 @@ class DipoleKernel:
 
     @property
     def mean_square_radius_mm2(self) -> FloatArray:
-        """(3,) 2Σz e^{−zσ_tr}/(σ_tr Σe^{−zσ_tr}), mm²."""
+        """(3,) second moment of R over the plane: 2Σz e^{−zσ_tr}/(σ_tr Σe^{−zσ_tr}), mm²."""
         s = self.sigma_tr_per_mm
         z_r, z_v = self.depths_mm
         moment = z_r * np.exp(-z_r * s) + z_v * np.exp(-z_v * s)

@@ -1,4 +1,4 @@
-"""Mixtures of Gaussians [dEon2007], and the fit of one to any transfer function (MODEL §1)."""
+"""Mixtures of Gaussians [dEon2007], and their fit to a transfer function (MODEL §1)."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from .._core.errors import ArgumentError
 __all__ = ["GaussianMixture", "fit_gaussians"]
 
 FIT_LOBES = 40
-"""Candidate widths of a fit; more no longer lower the residual of Burley's profile."""
+"""Candidate widths of a fit; more widths do not lower the residual of Burley's profile."""
 FIT_SUM_WEIGHT = 30.0
-"""Weight of the row that asks for Σw = 1: it holds the sum to 1e-5 before it is made exact."""
+"""Weight of the equation Σw = 1: the sum is 1 within 1e-5 before the final normalisation."""
 FIT_RIDGE = 1e-5
-"""Keeps neighbouring widths, nearly collinear in k, from taking weights of opposite rounding."""
+"""Ridge of the fit: neighbouring widths are nearly collinear in k, and their weights would be noise."""
 
 
 @dataclass(frozen=True)
 class GaussianMixture:
-    """Σ w_i exp(−r²/2v_i)/(2πv_i), each channel with its own weights over common variances.
+    """Mixture Σ w_i exp(−r²/2v_i)/(2πv_i); the channels share the variances v_i.
 
     Attributes
     ----------
     variances_mm2
-        (n,) variance of each lobe along one axis, mm².
+        (n,) variances of the lobes along one axis, mm².
     weights
-        (n, 3) weight of each lobe in each channel; each column sums to 1.
+        (n, 3) weights of the lobes in the channels; every column sums to 1.
     """
 
     variances_mm2: FloatArray
@@ -39,7 +39,7 @@ class GaussianMixture:
 
     @classmethod
     def checked(cls, variances_mm2: ArrayLike, weights: ArrayLike) -> GaussianMixture:
-        """Build one from untrusted numbers; columns of `weights` are scaled to sum to 1.
+        """Return a mixture after checks; columns of `weights` are scaled to sum to 1.
 
         Raises
         ------
@@ -59,12 +59,12 @@ class GaussianMixture:
 
     @property
     def sigmas_mm(self) -> FloatArray:
-        """(n,) standard deviation of each lobe, mm."""
+        """(n,) standard deviations of the lobes along one axis, mm."""
         return np.sqrt(self.variances_mm2)
 
     @property
     def mean_square_radius_mm2(self) -> FloatArray:
-        """(3,) 2 Σ w v, mm²."""
+        """(3,) second moment of R over the plane: 2 Σ w v, mm²."""
         return 2.0 * (self.weights * self.variances_mm2[:, None]).sum(axis=0)
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
@@ -88,19 +88,19 @@ class GaussianMixture:
 def fit_gaussians(
     transfer: Callable[[FloatArray], FloatArray], rms_radius_mm: FloatArray
 ) -> tuple[GaussianMixture, float]:
-    """Fit a Gaussian mixture to a transfer function, non-negative, in the Hankel domain.
+    """Fit a mixture with weights ≥ 0 to a transfer function.
 
     Parameters
     ----------
     transfer
-        k (n,) in rad/mm to T (n, 3).
+        Function from k (n,) in rad/mm to T (n, 3).
     rms_radius_mm
-        (3,) sets the range of widths and frequencies searched: σ over rms·[1/300, 3].
+        (3,) root mean square radii; the widths σ of the fit cover rms·[1/300, 3].
 
     Returns
     -------
     mixture, residual
-        The fit and max |ΔT| over the frequencies fitted; ≤ 4e-4 for Burley's profile.
+        The fit, and max |ΔT| over its frequencies, which is ≤ 4e-4 for Burley's profile.
     """
     low, high = rms_radius_mm.min() / 300.0, rms_radius_mm.max() * 3.0
     sigmas = np.geomspace(low, high, FIT_LOBES)

@@ -1,4 +1,4 @@
-"""The named profiles, read from ``presets.json``, where each states its source, kind and unit."""
+"""Named profiles from ``presets.json``, which states the source, kind and unit of every entry."""
 
 from __future__ import annotations
 
@@ -20,17 +20,24 @@ def _records() -> dict[str, dict[str, Any]]:
 
 
 def presets() -> list[str]:
-    """Return the names of the profiles that ship with skinshade, the default first."""
+    """Return the names of the profiles that skinshade contains, the default first.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.presets()[0]
+    'skin-deon2007'
+    """
     return list(_records())
 
 
 def preset_record(name: str) -> dict[str, Any]:
-    """Return the data of a preset as it stands in the file.
+    """Return the entry of a preset in the file.
 
     Raises
     ------
     ArgumentError
-        If there is none of that name.
+        If there is no preset of this name.
     """
     try:
         return _records()[name]

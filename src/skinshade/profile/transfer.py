@@ -1,17 +1,17 @@
-"""A diffusion profile is its transfer function; everything else derives from it (MODEL §1)."""
+"""Diffusion profiles: kernel and albedo per channel (MODEL §1)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, as_floats, as_rgb
+from .._core.arrays import FloatArray, FloatVector, as_floats, as_rgb
 from .._core.errors import ArgumentError
+from .._core.notebook import curves_svg, table_html
 from .burley import BurleyKernel, BurleyLength, shape_length_mm
 from .dipole import DipoleKernel
 from .gaussians import GaussianMixture, fit_gaussians
@@ -20,16 +20,19 @@ from .tabulated import TabulatedKernel
 
 __all__ = ["DiffusionKernel", "Profile"]
 
+PLOT_REACH = 3.0
+"""Range of the plot in notebooks, in root mean square radii of the widest channel."""
+
 
 class DiffusionKernel(Protocol):
-    """What a kind of profile has to give."""
+    """Interface of a normalised diffusion kernel."""
 
     @property
     def mean_square_radius_mm2(self) -> FloatArray:
         """(3,) second moment of R over the plane, mm²."""
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
-        """Return T(k) (..., 3), T(0) = 1."""
+        """Return T(k) (..., 3) at spatial frequencies in rad/mm; T(0) = 1."""
 
     def radial(self, r_mm: FloatArray) -> FloatArray:
         """Return R(r) (..., 3) per mm²."""
@@ -40,38 +43,46 @@ class DiffusionKernel(Protocol):
 
 @dataclass(frozen=True)
 class Profile:
-    """How light that enters a flat surface at a point leaves around it, per channel.
+    """Diffusion profile: light that leaves a flat surface around its point of entry, per channel.
 
-    Build one with `gaussians`, `burley`, `dipole`, `tabulated` or `preset`.
+    Create one with `preset`, `gaussians`, `burley`, `dipole` or `tabulated`.
 
     Attributes
     ----------
     kernel
-        The shape, normalised: its transfer function is 1 at k = 0.
+        Normalised kernel: its transfer function is 1 at k = 0.
     albedo
-        (3,) diffuse albedo, the share of the light that leaves at all, 0..1.
-    name, source
-        What to call it, and the key of its source in ``REFERENCES.bib``.
+        (3,) diffuse albedo: the share of the light that leaves the surface, 0..1.
+    name
+        Name for people.
+    source
+        Key of its source in ``REFERENCES.bib``; empty if there is none.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.Profile.preset("skin-deon2007")
+    Profile('skin-deon2007', rms_radius_mm=[1.663 0.369 0.223], albedo=[0.436 0.227 0.131])
     """
 
     kernel: DiffusionKernel
-    albedo: FloatArray
+    albedo: FloatVector
     name: str = "custom"
     source: str = ""
 
     @classmethod
     def preset(cls, name: str) -> Profile:
-        """Return one of the profiles that ship with skinshade.
+        """Return a profile that skinshade contains.
 
         Parameters
         ----------
         name
-            One of `skinshade.presets`.
+            Name from `skinshade.presets`.
 
         Raises
         ------
         ArgumentError
-            If there is none of that name.
+            If there is no preset of this name.
         """
         record = dict(preset_record(name))
         build: dict[str, Callable[..., Profile]] = {
@@ -93,11 +104,23 @@ class Profile:
         Parameters
         ----------
         variances_mm2
-            (n,) variance of each along one axis, mm².
+            (n,) variances along one axis, mm², > 0.
         weights
-            (n, 3) non-negative; scaled so that each channel sums to 1.
+            (n, 3) weights ≥ 0; they are scaled to sum to 1 in every channel.
         albedo
             (3,) or scalar, 0..1 (excluding 1).
+
+        Raises
+        ------
+        ArgumentError
+            If a shape or value is not allowed.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> profile = sk.Profile.gaussians(variances_mm2=[1.0], weights=[[1, 1, 1]], albedo=0.5)
+        >>> profile.rms_radius_mm.round(3)
+        array([1.414, 1.414, 1.414])
         """
         return cls(GaussianMixture.checked(variances_mm2, weights), _albedo(albedo))
 
@@ -108,13 +131,24 @@ class Profile:
         Parameters
         ----------
         length_mm
-            (3,) or scalar, > 0.
+            (3,) or scalar, mm, > 0.
         kind
-            What the length is: ``shape`` (d itself), ``mean-free-path-searchlight``,
-            ``mean-free-path-diffuse`` or ``diffuse-mean-free-path``. There is no default,
-            because a wrong guess is wrong by a factor of two.
+            Kind of the length: ``shape`` (d itself), ``mean-free-path-searchlight``,
+            ``mean-free-path-diffuse`` or ``diffuse-mean-free-path``. There is no default, because
+            they differ by factors of two.
         albedo
             (3,) or scalar, 0..1 (excluding 1).
+
+        Raises
+        ------
+        ArgumentError
+            If a value or the kind is not allowed.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> sk.Profile.burley(length_mm=1.0, kind="shape", albedo=0.5).rms_radius_mm.round(3)
+        array([3.742, 3.742, 3.742])
         """
         length = as_rgb("length_mm", length_mm)
         if (length <= 0.0).any():
@@ -140,7 +174,21 @@ class Profile:
         ior
             Relative refractive index, 1..3.
         albedo
-            (3,) or scalar; the dipole's own diffuse reflectance if not given.
+            (3,) or scalar, 0..1 (excluding 1); the diffuse reflectance of the dipole if None.
+
+        Raises
+        ------
+        ArgumentError
+            If a value is not allowed.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> skin = sk.Profile.dipole(
+        ...     sigma_s_prime_per_mm=[0.74, 0.88, 1.01], sigma_a_per_mm=[0.032, 0.17, 0.48]
+        ... )
+        >>> skin.albedo.round(2)
+        array([0.44, 0.23, 0.13])
         """
         scattering = as_rgb("sigma_s_prime_per_mm", sigma_s_prime_per_mm)
         absorption = as_rgb("sigma_a_per_mm", sigma_a_per_mm)
@@ -150,47 +198,87 @@ class Profile:
         kernel = DipoleKernel(
             scattering, absorption, float(as_floats("ior", ior, (), low=1.0, high=3.0))
         )
+        if not np.isfinite(kernel.mean_square_radius_mm2).all():
+            raise ArgumentError("sigma_s_prime_per_mm, sigma_a_per_mm: too small, or too different")
         a = kernel.albedo if albedo is None else albedo
         return cls(kernel, _albedo(a), source="Jensen2001")
 
     @classmethod
     def tabulated(cls, *, edges_mm: ArrayLike, flux: ArrayLike, albedo: ArrayLike) -> Profile:
-        """Return a profile from the flux within annuli, measured or simulated.
+        """Return a profile from measured or simulated flux within annuli.
 
         Parameters
         ----------
         edges_mm
-            (bins + 1,) rising radii, mm.
+            (bins + 1,) increasing radii, mm, ≥ 0.
         flux
-            (3, bins) light that leaves within each annulus, any scale.
+            (3, bins) light that leaves within the annuli, in any unit, ≥ 0.
         albedo
             (3,) or scalar, 0..1 (excluding 1).
+
+        Raises
+        ------
+        ArgumentError
+            If a shape or value is not allowed.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> disk = sk.Profile.tabulated(edges_mm=[0, 1], flux=[[1], [1], [1]], albedo=0.5)
+        >>> disk.radial(0.5).round(3)  # 1/π per mm² within the radius of 1 mm
+        array([0.318, 0.318, 0.318])
         """
         return cls(TabulatedKernel.checked(edges_mm, flux), _albedo(albedo))
 
     def transfer(self, k_per_mm: ArrayLike) -> FloatArray:
-        """Return T(k), the 2-D Hankel transform of R, normalised to T(0) = 1.
+        """Return T(k), the 2-D Hankel transform of R; T(0) = 1.
 
         Parameters
         ----------
         k_per_mm
-            (...) spatial frequency, rad/mm, ≥ 0.
+            (...) spatial frequencies, rad/mm, ≥ 0.
 
         Returns
         -------
         (..., 3)
+
+        Raises
+        ------
+        ArgumentError
+            If a frequency is negative or not finite.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> sk.Profile.preset("skin-deon2007").transfer(1.0).round(3)
+        array([0.657, 0.969, 0.988])
         """
         return self.kernel.transfer(as_floats("k_per_mm", k_per_mm, low=0.0))
 
     def radial(self, r_mm: ArrayLike) -> FloatArray:
-        """Return R(r) (..., 3) per mm², which integrates to 1 over the plane; r (...) in mm, ≥ 0."""
+        """Return R(r) (..., 3) per mm², which integrates to 1 over the plane.
+
+        Parameters
+        ----------
+        r_mm
+            (...) distances from the point of entry, mm, ≥ 0.
+
+        Raises
+        ------
+        ArgumentError
+            If a distance is negative or not finite.
+        """
         return self.kernel.radial(as_floats("r_mm", r_mm, low=0.0))
 
     def scaled(self, factor: float) -> Profile:
         """Return the profile with every length multiplied by `factor` (> 0).
 
-        The same as multiplying curvatures by it: how a radius changes at run time without a new
-        table.
+        Multiplying curvatures by `factor` has the same effect on the shading, without new tables.
+
+        Raises
+        ------
+        ArgumentError
+            If the factor is not positive.
         """
         f = float(as_floats("factor", factor, ()))
         if f <= 0.0:
@@ -198,31 +286,39 @@ class Profile:
         return replace(self, kernel=self.kernel.scaled(f))
 
     @property
-    def rms_radius_mm(self) -> FloatArray:
-        """(3,) root of the mean square distance between entry and exit, mm."""
+    def rms_radius_mm(self) -> FloatVector:
+        """(3,) root mean square distance between entry and exit, mm."""
         return np.sqrt(self.kernel.mean_square_radius_mm2)
 
-    @cached_property
-    def mixture(self) -> GaussianMixture:
-        """The Gaussians themselves, or the fit to any other profile (see `mixture_residual`)."""
-        return self._fit[0]
+    def gaussian_fit(self) -> tuple[GaussianMixture, float]:
+        """Return the kernel as a mixture of Gaussians, and max |ΔT| up to kρ ≈ 150.
 
-    @property
-    def mixture_residual(self) -> float:
-        """Max |ΔT| between `mixture` and the profile up to kρ ≈ 150; 0 for a Gaussian mixture."""
-        return self._fit[1]
-
-    @cached_property
-    def _fit(self) -> tuple[GaussianMixture, float]:
+        A profile of Gaussians returns its own mixture and 0; other profiles are fitted, which takes
+        some milliseconds.
+        """
         if isinstance(self.kernel, GaussianMixture):
             return self.kernel, 0.0
         return fit_gaussians(self.kernel.transfer, self.rms_radius_mm)
+
+    def __repr__(self) -> str:
+        radius, albedo = self.rms_radius_mm.round(3), self.albedo.round(3)
+        return f"Profile({self.name!r}, rms_radius_mm={radius}, albedo={albedo})"
+
+    def _repr_html_(self) -> str:
+        r_mm = np.linspace(1e-3, 1.0, 200) * PLOT_REACH * self.rms_radius_mm.max()
+        density = 2.0 * np.pi * r_mm[:, None] * self.radial(r_mm)
+        caption = f"2πr R(r): light over its distance from the entry, 0 to {r_mm[-1]:.3g} mm"
+        rows = {
+            "root mean square radius, mm": self.rms_radius_mm.round(3),
+            "albedo": self.albedo.round(3),
+            "kernel": type(self.kernel).__name__,
+            "source": self.source or "none",
+        }
+        return table_html(f"Profile {self.name}", rows) + curves_svg(r_mm, density, caption)
 
 
 def _albedo(value: ArrayLike) -> FloatArray:
     albedo = as_rgb("albedo", value, low=0.0, high=1.0)
     if (albedo >= 1.0).any():
-        raise ArgumentError(
-            f"albedo is {albedo}; it must be below 1, else nothing is ever absorbed"
-        )
+        raise ArgumentError(f"albedo is {albedo}; it must be below 1: no light would be absorbed")
     return albedo

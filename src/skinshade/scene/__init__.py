@@ -1,10 +1,11 @@
-"""What is drawn: camera, lights, environment, material, and the files that describe them."""
+"""Scenes: camera, lights, environment and material, and their description in JSON."""
 
 from .camera import Camera
 from .environment import Environment
+from .json import load_scene
 from .lights import DirectionalLight, Light, SpotLight
 from .material import Material
-from .scene import Scene, load_scene
+from .scene import Scene
 
 __all__ = [
     "Camera",

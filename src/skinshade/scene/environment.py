@@ -1,10 +1,9 @@
-"""Light from all around: an equirectangular picture, its harmonics, and its preconvolved reflections."""
+"""Light from the surroundings: an equirectangular image, its harmonics and its reflections."""
 
 from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,18 +27,24 @@ BANDS = 64
 WORK_SIZE = (256, 128)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Environment:
-    """An equirectangular picture of radiance.
+    """Equirectangular image of radiance.
 
     Attributes
     ----------
     radiance
         (H, W, 3) linear; u = ½ + atan2(z, x)/2π, v = acos(y)/π from the top.
     scale
-        Multiplies it, ≥ 0.
+        Factor on the radiance, ≥ 0.
     visible
-        Whether it is the background too.
+        Show the environment behind the body.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.Environment.studio(scale=0.5)
+    Environment(256×128, scale=0.5, visible=False)
     """
 
     radiance: ImageArray
@@ -48,75 +53,75 @@ class Environment:
 
     def __post_init__(self) -> None:
         try:
-            picture = np.asarray(self.radiance, dtype=np.float32)
+            image = np.asarray(self.radiance, dtype=np.float32)
         except (TypeError, ValueError, OverflowError) as error:
             raise ArgumentError(
                 f"environment radiance: not an array of numbers ({error})"
             ) from None
-        if picture.ndim != 3 or picture.shape[2] != 3 or min(picture.shape[:2]) < 2:
+        if image.ndim != 3 or image.shape[2] != 3 or min(image.shape[:2]) < 2:
             raise ArgumentError(
-                f"environment radiance: shape is {picture.shape}; it must be (H, W, 3), H and W 2"
-                " at least"
+                f"environment radiance: shape is {image.shape}; it must be (H, W, 3) with H and"
+                " W 2 or more"
             )
-        object.__setattr__(self, "radiance", picture)
+        object.__setattr__(self, "radiance", image)
         if not np.isfinite(self.radiance).all() or self.radiance.min() < 0.0:
-            raise ArgumentError("environment radiance: must be finite and not negative")
+            raise ArgumentError("environment radiance: all values must be finite and not negative")
         as_floats("environment scale", self.scale, (), low=0.0)
 
     @classmethod
     def load(
         cls, path: str | os.PathLike[str], *, scale: float = 1.0, visible: bool = False
     ) -> Environment:
-        """Read an equirectangular picture.
+        """Read an equirectangular image.
 
         Parameters
         ----------
         path
-            ``.hdr`` or ``.exr``, linear, or any other image, sRGB; below 0 is taken for 0.
+            ``.hdr`` or ``.exr``, linear, or any other image, sRGB; negative values become 0.
         scale
-            Multiplies it, ≥ 0.
+            Factor on the radiance, ≥ 0.
         visible
-            Whether it is the background too.
+            Show the environment behind the body.
 
         Raises
         ------
         ImageFileError
-            If it cannot be read.
+            If the file cannot be read.
         """
         return cls(np.maximum(read_linear(path), 0.0), scale, visible)
 
     @classmethod
     def constant(cls, radiance: ArrayLike, *, scale: float = 1.0) -> Environment:
-        """Return the same radiance from everywhere.
+        """Return an environment with the same radiance in all directions.
 
         Parameters
         ----------
         radiance
             (3,) or scalar, linear, ≥ 0.
         scale
-            Multiplies it, ≥ 0.
+            Factor on the radiance, ≥ 0.
 
         Raises
         ------
         ArgumentError
-            If a value is out of range, or the shape another.
+            If a value is out of range, or the radiance is not one number or three.
         """
         colour = as_rgb("environment radiance", radiance, low=0.0).astype(np.float32)
         return cls(np.ascontiguousarray(np.broadcast_to(colour, (16, 32, 3))), scale)
 
     @classmethod
     def studio(cls, *, scale: float = 1.0) -> Environment:
-        """Return the built-in photographer's studio: a large soft key, fill, rim light, dark walls.
+        """Return the built-in studio: a large soft key light, a fill light, a rim light and dark walls.
 
         Parameters
         ----------
         scale
-            Multiplies it, ≥ 0.
+            Factor on the radiance, ≥ 0.
         """
         height, width = WORK_SIZE[1], WORK_SIZE[0]
         directions = _grid_directions(height, width)
-        picture = np.full((height, width, 3), 0.06) * (0.6 + 0.4 * directions[..., 1:2])
-        picture += np.array([0.05, 0.04, 0.03]) * np.maximum(-directions[..., 1:2], 0.0)
+        image = np.full((height, width, 3), 0.06) * (0.6 + 0.4 * directions[..., 1:2])
+        image += np.array([0.05, 0.04, 0.03]) * np.maximum(-directions[..., 1:2], 0.0)
         panels = (
             ((-0.62, 0.45, 0.64), 0.50, (3.6, 3.4, 3.1)),  # key, warm, from the upper left
             ((0.85, 0.10, 0.50), 0.55, (0.42, 0.46, 0.55)),  # fill, cool
@@ -128,30 +133,28 @@ class Environment:
                 np.clip(directions @ (np.array(centre) / np.linalg.norm(centre)), -1, 1)
             )
             edge = np.clip((radius - angle) / 0.12 + 0.5, 0.0, 1.0)[..., None]
-            picture += np.array(colour) * edge * edge * (3.0 - 2.0 * edge)
-        return cls(picture.astype(np.float32), scale)
+            image += np.array(colour) * edge * edge * (3.0 - 2.0 * edge)
+        return cls(image.astype(np.float32), scale)
 
-    @cached_property
     def radiance_sh(self) -> FloatArray:
-        """(9, 3) coefficients of bands 0..2, in the order of `skinshade.shading.ambient.sh_basis`."""
-        picture = _averaged(self.radiance, WORK_SIZE)
-        height, width = picture.shape[:2]
+        """Return the harmonics (9, 3) of bands 0..2, in the order of `skinshade.shading.ambient.sh_basis`."""
+        image = _averaged(self.radiance, WORK_SIZE)
+        height, width = image.shape[:2]
         directions = _grid_directions(height, width).reshape(-1, 3)
         weights = np.repeat(_row_solid_angle(height) / width, width)
         return self.scale * np.einsum(
-            "nb,n,nc->bc", sh_basis(directions), weights, picture.reshape(-1, 3)
+            "nb,n,nc->bc", sh_basis(directions), weights, image.reshape(-1, 3)
         )
 
-    @cached_property
     def preconvolved(self) -> PreconvolvedRadiance:
-        """Reflections at every roughness, by damping harmonics: exact, and smooth at any power."""
-        picture = _averaged(self.radiance, WORK_SIZE)
-        # A lobe lives on one half of the sphere, where it is smooth.
+        """Return reflections at every roughness, by damping harmonics, which is smooth at any power."""
+        image = _averaged(self.radiance, WORK_SIZE)
+        # Quadrature over the half of the sphere on which the lobe is not 0.
         nodes, weights = np.polynomial.legendre.leggauss(2 * BANDS)
         nodes = 0.5 + 0.5 * nodes
         levels = []
-        analysis, synthesis = _zonal_machinery(picture.shape[0], LEVEL_SIZE[1])
-        spectrum = np.fft.rfft(picture, axis=1)[:, : BANDS + 1] / picture.shape[1]
+        analysis, synthesis = _zonal_machinery(image.shape[0], LEVEL_SIZE[1])
+        spectrum = np.fft.rfft(image, axis=1)[:, : BANDS + 1] / image.shape[1]
         for power in LOBE_POWERS:
             lobe = nodes**power
             damping = np.polynomial.legendre.legvander(nodes, BANDS).T @ (weights * lobe)
@@ -161,15 +164,19 @@ class Environment:
                 coefficients = analysis[m] @ spectrum[:, m]
                 rows[:, m] = synthesis[m].T @ (damping[m:, None] * coefficients)
             smooth = np.fft.irfft(rows * LEVEL_SIZE[0], n=LEVEL_SIZE[0], axis=1)
-            smooth = _shifted_to_centres(smooth, picture.shape[1])
+            smooth = _shifted_to_centres(smooth, image.shape[1])
             levels.append(np.maximum(smooth, 0.0) * self.scale)
         return PreconvolvedRadiance(np.stack(levels).astype(np.float32))
 
     def sample(self, directions: FloatArray) -> FloatArray:
         """Return radiance (..., 3) from unit directions (..., 3), bilinear."""
         u, v = equirectangular_uv(directions)
-        picture = self.radiance[None]
-        return self.scale * bilinear(picture, np.zeros(u.shape, dtype=np.int64), u, v)
+        image = self.radiance[None]
+        return self.scale * bilinear(image, np.zeros(u.shape, dtype=np.int64), u, v)
+
+    def __repr__(self) -> str:
+        height, width = self.radiance.shape[:2]
+        return f"Environment({width}×{height}, scale={self.scale:g}, visible={self.visible})"
 
 
 def _grid_directions(height: int, width: int) -> FloatArray:
@@ -185,10 +192,10 @@ def _row_solid_angle(height: int) -> FloatArray:
     return 2.0 * np.pi * (edges[:-1] - edges[1:])
 
 
-def _averaged(picture: ImageArray, size: tuple[int, int]) -> FloatArray:
-    """Average by area to a size; light is kept, however small a sun is."""
-    height, width = picture.shape[:2]
-    rows = _mean_between(picture.astype(np.float64), _row_edges(height), _row_edges(size[1]))
+def _averaged(image: ImageArray, size: tuple[int, int]) -> FloatArray:
+    """Return an image averaged by area to a size (width, height); the total light is kept."""
+    height, width = image.shape[:2]
+    rows = _mean_between(image.astype(np.float64), _row_edges(height), _row_edges(size[1]))
     columns = _mean_between(
         rows.swapaxes(0, 1), np.linspace(0.0, 1.0, width + 1), np.linspace(0.0, 1.0, size[0] + 1)
     )
@@ -196,12 +203,12 @@ def _averaged(picture: ImageArray, size: tuple[int, int]) -> FloatArray:
 
 
 def _row_edges(height: int) -> FloatArray:
-    """Between equal steps of it lie equal solid angles."""
+    """Return −cos θ at the edges of rows: equal steps span equal solid angles."""
     return -np.cos(np.arange(height + 1) / height * np.pi)
 
 
 def _mean_between(values: FloatArray, edges: FloatArray, wanted: FloatArray) -> FloatArray:
-    """Mean between one set of edges of values (n, ...) that are constant between another."""
+    """Return the means between wanted edges of values (n, ...) that are constant between other edges."""
     step = np.diff(edges)
     sums = np.concatenate([np.zeros_like(values[:1]), np.cumsum(values * step[:, None, None], 0)])
     at = np.clip(np.searchsorted(edges, wanted, side="right") - 1, 0, step.size - 1)
@@ -211,7 +218,7 @@ def _mean_between(values: FloatArray, edges: FloatArray, wanted: FloatArray) -> 
 
 
 def _zonal_machinery(rows_in: int, rows_out: int) -> tuple[list[FloatArray], list[FloatArray]]:
-    """Matrices from rows to harmonics of each order m, and back: (l, rows) each."""
+    """Return matrices (l, rows) from rows to harmonics of each order m, and back."""
     x_in = np.cos((np.arange(rows_in) + 0.5) / rows_in * np.pi)
     x_out = np.cos((np.arange(rows_out) + 0.5) / rows_out * np.pi)
     weights = _row_solid_angle(rows_in)
@@ -220,7 +227,7 @@ def _zonal_machinery(rows_in: int, rows_out: int) -> tuple[list[FloatArray], lis
 
 
 def _associated_legendre(x: FloatArray) -> list[FloatArray]:
-    """Orthonormal P_l^m for m = 0..BANDS, l = m..BANDS, as (l, rows) per m."""
+    """Return orthonormal P_l^m for m = 0..BANDS, l = m..BANDS, as (l, rows) for each m."""
     sine = np.sqrt(1.0 - x * x)
     diagonal = np.full_like(x, np.sqrt(1.0 / (4.0 * np.pi)))
     tables = []
@@ -239,7 +246,7 @@ def _associated_legendre(x: FloatArray) -> list[FloatArray]:
 
 
 def _shifted_to_centres(rows: FloatArray, width_in: int) -> FloatArray:
-    """Column centres of both grids lie half a texel in: turn by the difference."""
+    """Return rows turned by the difference between the column centres of both grids."""
     width_out = rows.shape[1]
     turn = (0.5 / width_out - 0.5 / width_in) * np.arange(width_out // 2 + 1)
     phase = np.exp(2j * np.pi * turn)[None, :, None]

@@ -6,35 +6,41 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._core.arrays import FloatArray, as_floats, as_rgb, dot, unit_vectors
+from .._core.arrays import FloatArray, FloatVector, as_floats, as_rgb, dot, unit_vectors
 from .._core.errors import ArgumentError
 from .camera import direction_of, look_at, parallel, perspective
 
 __all__ = ["DirectionalLight", "Light", "SpotLight"]
 
 MARGIN = 1.03
-"""Shadow maps reach this far past the body, so that a filter at its edge finds empty texels."""
+"""Extent of shadow maps relative to the body: a filter at the body's edge needs empty texels."""
 
 FULL_SHARE = 0.8
-"""Share of a spot light's cone within which it is full."""
+"""Share of a spot light's cone, in angle, that has the full irradiance."""
 LEAST_DISTANCE_MM = 1.0
-"""A lamp is no point: nearer than this the square of the distance no longer holds."""
+"""Least distance of the inverse square law, mm: real lights are not points."""
 
 
 @dataclass(frozen=True)
 class DirectionalLight:
-    """Light from infinity.
+    """Light from an infinite distance.
 
     Attributes
     ----------
     to_light
-        (3,) direction towards it; made a unit vector.
+        (3,) direction towards the light; it is normalised.
     irradiance
-        (3,) on a surface that faces it; π gives a white Lambert surface radiance 1.
+        (3,) irradiance on a surface that faces the light; π gives a white Lambert surface radiance 1.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.DirectionalLight(to_light=(0, 0, 2), irradiance=3.0).to_light
+    array([0., 0., 1.])
     """
 
-    to_light: FloatArray
-    irradiance: FloatArray
+    to_light: FloatVector
+    irradiance: FloatVector
 
     def __post_init__(self) -> None:
         direction = as_floats("light to_light", self.to_light, (3,))
@@ -45,7 +51,7 @@ class DirectionalLight:
 
     @classmethod
     def from_angles(cls, yaw_deg: float, pitch_deg: float, intensity: float) -> DirectionalLight:
-        """Return a white light from a direction.
+        """Return a white light from a direction in angles.
 
         Parameters
         ----------
@@ -73,7 +79,7 @@ class DirectionalLight:
     def view_and_projection(
         self, centre_mm: FloatArray, radius_mm: float
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the matrices (4, 4) of a shadow map that holds a sphere: centre (3,), radius, mm."""
+        """Return view and projection (4, 4) of a shadow map of a sphere with a centre (3,) and radius, mm."""
         reach = MARGIN * radius_mm
         view = look_at(centre_mm + 2.0 * reach * self.to_light, centre_mm, _up(self.to_light))
         return view, parallel(reach, reach, 3.0 * reach)
@@ -88,14 +94,22 @@ class SpotLight:
     position_mm, target_mm
         (3,) mm.
     irradiance
-        (3,) at the target, on a surface that faces the light; falls off with the square of distance.
+        (3,) irradiance at the target, on a surface that faces the light. It decreases with the square of
+        the distance.
     cone_deg
-        Half angle at which the light has gone, 1..80; full within `FULL_SHARE` of it.
+        Half angle at which the irradiance is 0, degrees, 1..80; within .8 of it the irradiance is full.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> light = sk.SpotLight((0, 0, 500), (0, 0, 0), irradiance=3.0)
+    >>> light.at(light.target_mm + (0, 0, 250))[1]  # at half the distance
+    array([12., 12., 12.])
     """
 
-    position_mm: FloatArray
-    target_mm: FloatArray
-    irradiance: FloatArray
+    position_mm: FloatVector
+    target_mm: FloatVector
+    irradiance: FloatVector
     cone_deg: float = 30.0
 
     def __post_init__(self) -> None:
@@ -108,7 +122,7 @@ class SpotLight:
 
     @property
     def cone_cosines(self) -> tuple[float, float]:
-        """Of the angles at which the light has gone, and within which it is full."""
+        """Cosines of the angle at which the irradiance is 0, and of the angle within which it is full."""
         outer, inner = np.cos(np.radians([self.cone_deg, FULL_SHARE * self.cone_deg]))
         return float(outer), float(inner)
 
@@ -127,9 +141,9 @@ class SpotLight:
     def view_and_projection(
         self, centre_mm: FloatArray, radius_mm: float
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the matrices (4, 4) of a shadow map that holds the cone up to a sphere's far end.
+        """Return view and projection (4, 4) of a shadow map of the cone up to the far end of a sphere.
 
-        The sphere's centre (3,) and radius are in mm.
+        The sphere has a centre (3,) and a radius in mm.
         """
         distance = float(np.linalg.norm(centre_mm - self.position_mm))
         near = max(distance - MARGIN * radius_mm, 1e-2 * distance)

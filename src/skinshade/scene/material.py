@@ -1,4 +1,4 @@
-"""What a surface is made of: a diffusion profile, maps, and the numbers of `SkinParams`."""
+"""Materials: diffusion profile, parameters and texture maps."""
 
 from __future__ import annotations
 
@@ -14,24 +14,30 @@ from ..profile import Profile
 __all__ = ["Material"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Material:
-    """Skin, or any other translucent matter.
+    """Skin or another translucent material.
 
     Attributes
     ----------
     profile
-        How light diffuses.
+        Diffusion profile.
     params
-        Numbers; see `skinshade.SkinParams`.
+        Parameters that all pixels share.
     albedo
         (H, W, 3) linear, or (1, 1, 3) for one colour.
     normal
-        (H, W, 3) tangent-space normals in −1..1, +y up in the picture; None for none.
+        (H, W, 3) tangent-space normals in −1..1, +y up in the picture; None for the mesh's normals.
     specular
-        (H, W, 2): factor on the reflectance, and gloss 0..1; None for `params` alone.
+        (H, W, 2) factor on the reflectance, and gloss 0..1; None for the values of `params`.
     deep_scatter
-        (H, W, 3) linear tint of light that comes through, 0..1: veins, bones; None for white.
+        (H, W, 3) linear tint of light that comes through the body, 0..1; None for white.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> sk.Material(params=sk.SkinParams(roughness=0.4))
+    Material('skin-deon2007', albedo 1×1)
     """
 
     profile: Profile = field(default_factory=lambda: Profile.preset("skin-deon2007"))
@@ -45,18 +51,26 @@ class Material:
 
     def __post_init__(self) -> None:
         for name, channels in (("albedo", 3), ("normal", 3), ("specular", 2), ("deep_scatter", 3)):
-            picture = getattr(self, name)
-            if picture is None:
+            image = getattr(self, name)
+            if image is None:
                 continue
-            if picture.ndim != 3 or picture.shape[2] != channels or 0 in picture.shape:
+            if image.ndim != 3 or image.shape[2] != channels or 0 in image.shape:
                 raise ArgumentError(
-                    f"material {name}: shape is {picture.shape}; it must be (H, W, {channels})"
+                    f"material {name}: shape is {image.shape}; it must be (H, W, {channels})"
                 )
-            if not np.isfinite(picture).all():
-                raise ArgumentError(f"material {name}: must be finite")
+            if not np.isfinite(image).all():
+                raise ArgumentError(f"material {name}: all values must be finite")
 
     @property
     def has_maps(self) -> bool:
-        """Whether anything differs from texel to texel, so that the mesh must have UVs."""
-        maps = (self.albedo, self.normal, self.specular, self.deep_scatter)
-        return any(picture is not None and picture.shape[:2] != (1, 1) for picture in maps)
+        """Whether a map has more than one texel, so that the mesh needs UVs."""
+        return any(image.shape[:2] != (1, 1) for image in self._maps().values())
+
+    def _maps(self) -> dict[str, ImageArray]:
+        names = ("albedo", "normal", "specular", "deep_scatter")
+        maps = {name: getattr(self, name) for name in names}
+        return {name: image for name, image in maps.items() if image is not None}
+
+    def __repr__(self) -> str:
+        maps = (f"{name} {image.shape[1]}×{image.shape[0]}" for name, image in self._maps().items())
+        return f"Material({self.profile.name!r}, {', '.join(maps)})"

@@ -1,5 +1,6 @@
-"""The shader package for engines: library, constant blocks, tables, C header and a guide, in one folder."""
+"""Shader package for engines: functions, constant blocks, tables, C header and a guide in one folder."""
 
-from .export import LANGUAGES, export_shaders
+from .export import export_shaders
+from .languages import LANGUAGES, Language
 
-__all__ = ["LANGUAGES", "export_shaders"]
+__all__ = ["LANGUAGES", "Language", "export_shaders"]

@@ -1,4 +1,4 @@
-"""The calls of a pixel shader in their order, written in any of the languages."""
+"""Example of a pixel shader that calls the library, in every language."""
 
 from __future__ import annotations
 
@@ -7,31 +7,39 @@ from .languages import ShadingLanguage
 __all__ = ["example_calls", "example_inputs"]
 
 INPUTS = (
-    ("float3x3", "fetched", "rows: the normal map's normal in world axes, sharp, and at two blurs"),
+    (
+        "float3x3",
+        "fetched",
+        "rows: normals of the normal map in world axes, sharp and with two blurs",
+    ),
     ("float3", "mesh_normal", "unit, interpolated"),
-    ("float3", "view", "unit, towards the eye"),
+    ("float3", "view", "unit, towards the camera"),
     ("float3", "to_light", "unit, towards the light"),
-    ("float3", "light_radiance", "irradiance over π of the light on a surface that faces it"),
-    ("float", "shadow_filter", "value of the wide shadow filter, 1 in light"),
-    ("float", "thickness_mm", "of the body towards the light"),
-    ("float3x3", "tensor_world", "shape operator, baked at the vertices, 1/mm"),
-    ("float3", "curvature_per_mm", "mean curvature, for each channel if it was diffused"),
+    ("float3", "light_radiance", "irradiance over π on a surface that faces the light"),
+    ("float", "shadow_filter", "share of the wide shadow filter that is lit, 0..1"),
+    ("float", "thickness_mm", "thickness of the body towards the light, mm"),
+    ("float3x3", "tensor_world", "shape operator in world axes, baked at the vertices, 1/mm"),
+    (
+        "float3",
+        "curvature_per_mm",
+        "mean curvature, diffused for each channel or equal in all channels, 1/mm",
+    ),
     ("float3", "albedo", "linear"),
     ("float", "gloss_map", "0..1"),
 )
-"""What the shader knows before the calls."""
+"""Type, name and meaning of the inputs of the calls."""
 
 CALLS = (
     (
-        "1. The gloss that fits what the normal map's mip averaged away.",
+        "1. Gloss, reduced by the relief that the mips of the normal map average.",
         ("float", "gloss", "skin_gloss_of_relief(gloss_map, length({row0}))"),
     ),
     (
-        "2. The normal that each channel sees; never normalise it.",
+        "2. Normals of the three channels; they must not be normalised.",
         ("float3x3", "normals", "skin_blend_normals(fetched, {weights})"),
     ),
     (
-        "3. What curvature gives back of the light that leaves a flat body.",
+        "3. Energy gain: a convex body re-emits more light than a flat one.",
         (
             "float3",
             "gain",
@@ -40,19 +48,19 @@ CALLS = (
         ),
     ),
     (
-        "4. For each light: how the surface bends along it, and in all.",
-        ("float2", "bends", "skin_directional_curvature(tensor_world, mesh_normal, to_light)"),
+        "4. For each light: the curvature along it, and the total curvature.",
+        ("float2", "curvatures", "skin_directional_curvature(tensor_world, mesh_normal, to_light)"),
     ),
     (
         "5. Diffuse light.",
         (
             "float3",
             "diffuse",
-            "skin_direct_tensor({ring}, {transfer}, normals, to_light, bends.x, bends.y, gain)",
+            "skin_direct_tensor({ring}, {transfer}, normals, to_light, curvatures.x, curvatures.y, gain)",
         ),
     ),
     (
-        "6. The shadow's edge, which bleeds.",
+        "6. Shadow of the diffuse light, blurred by scattering.",
         (
             "float3",
             "shadow",
@@ -61,7 +69,7 @@ CALLS = (
         ),
     ),
     (
-        "7. The same edge where nothing scatters.",
+        "7. Shadow of the specular light, which does not scatter.",
         (
             "float",
             "sharp_shadow",
@@ -69,7 +77,7 @@ CALLS = (
         ),
     ),
     (
-        "8. Both specular lobes, by the sharp normal.",
+        "8. Both specular lobes, with the sharp normal.",
         ("float3", "sharp", "normalize({row0})"),
         (
             "float",
@@ -78,22 +86,22 @@ CALLS = (
         ),
     ),
     (
-        "9. Light through thin parts, by the blurred normal.",
+        "9. Light through thin parts of the body, with the blurred normal.",
         (
             "float3",
-            "passed",
+            "transmittance",
             "skin_transmittance(thickness_mm, scatter_block.albedo.xyz, scatter_block.sigma_per_mm.xyz)"
             " / scatter_block.albedo.xyz",
         ),
         (
             "float3",
             "through",
-            "skin_direct_deep_scatter(passed, dot(normalize({row2}), to_light),"
+            "skin_direct_deep_scatter(transmittance, dot(normalize({row2}), to_light),"
             " skin_block.deep_scatter_strength) * skin_block.deep_scatter_tint.xyz",
         ),
     ),
     (
-        "10. The share that the specular coat lets in; then all together.",
+        "10. Share of the light that enters the body, and sum of all terms.",
         (
             "float3",
             "body",
@@ -109,16 +117,16 @@ CALLS = (
 
 
 def example_inputs(language: ShadingLanguage) -> list[str]:
-    """Return the example's inputs as parameters with a comment each."""
+    """Return the declarations of the inputs, with comments."""
     if language.suffix == "wgsl":
         return [f"{name} : {language.type_of(kind)}, // {about}" for kind, name, about in INPUTS]
     return [f"{language.type_of(kind)} {name}; // {about}" for kind, name, about in INPUTS]
 
 
 def example_calls(language: ShadingLanguage) -> list[str]:
-    """Return the body of a pixel shader, whose inputs have the names of `example_inputs`."""
+    """Return the body of a pixel shader that reads the inputs of `example_inputs`."""
     rows = [f"scatter_block.blend_{channel}.xyz" for channel in ("red", "green", "blue")]
-    words = {
+    substitutions = {
         "row0": "fetched[0]",
         "row2": "fetched[2]",
         "weights": f"{language.type_of('float3x3')}({', '.join(rows)})",
@@ -129,7 +137,8 @@ def example_calls(language: ShadingLanguage) -> list[str]:
     for about, *steps in CALLS:
         lines.append(f"// {about}")
         lines += [
-            language.defined(kind, name, text.format_map(words)) for kind, name, text in steps
+            language.defined(kind, name, text.format_map(substitutions))
+            for kind, name, text in steps
         ]
     return lines
 

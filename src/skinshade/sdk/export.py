@@ -1,4 +1,4 @@
-"""Writing the package."""
+"""Export of the shader package."""
 
 from __future__ import annotations
 
@@ -9,21 +9,22 @@ from dataclasses import asdict
 from importlib.resources import files
 from pathlib import Path
 
-from .._core.errors import ArgumentError, OutputError
+from .._core.errors import OutputError
 from .._core.files import atomic_write
+from .._core.generated import generated_text
 from .._core.progress import Progress, silent
 from .._core.version import __version__
 from ..params import SkinParams
 from ..profile import Profile
-from ..shaders import generated_text
-from ..shading.skin import ENGINE_LUTS, Skin
+from ..shading.skin import Skin
+from ..shading.tables import ENGINE_LUTS
 from .guide import guide
-from .languages import LANGUAGES, ShadingLanguage
+from .languages import LANGUAGES, Language, ShadingLanguage
 
-__all__ = ["LANGUAGES", "export_shaders"]
+__all__ = ["export_shaders"]
 
-SHADERS = files("skinshade.shaders")
-INCLUDE = re.compile(r'#include "(?:\.\./generated/)?(\w+)\.slang"')
+LIBRARY = files("skinshade").joinpath("shading")
+INCLUDE = re.compile(r'#include "(?:generated/)?(\w+)\.slang"')
 
 
 def export_shaders(
@@ -34,55 +35,61 @@ def export_shaders(
     params: SkinParams | None = None,
     progress: Progress = silent,
 ) -> list[Path]:
-    """Write all that an engine needs to shade skin: functions, blocks, tables, C header and a guide.
+    """Write a shader package for an engine: functions, blocks, tables, C header and a guide.
 
     Parameters
     ----------
     language
-        One of `LANGUAGES`.
+        Name of a shading language, see `Language`.
     folder
-        Made if it is not there; files of the same names in it are replaced.
+        Output folder. It is created if it does not exist; existing files are replaced.
     profile
-        Diffusion profile of the tables; the preset ``skin-deon2007`` by default.
+        Diffusion profile of the tables; the preset ``skin-deon2007`` if None.
     params
-        Of the material; the tables hold ``scatter_scale``, ``shadow_filter_width_mm`` and
-        ``shadow_sharpening``.
+        Parameters of the material; the defaults if None. The tables depend on ``scatter_scale``,
+        ``shadow_filter_width_mm`` and ``shadow_sharpening``.
     progress
-        Called with what is being done and how far it is.
+        Called with the name of the work and the fraction that is done.
 
     Returns
     -------
     list
-        The files, in the order of the guide.
+        Paths of the files, in the order of the guide.
 
     Raises
     ------
     ArgumentError, OutputError
-        If there is no such language, or the folder cannot be written.
+        If the language is unknown, or the folder cannot be written.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> paths = sk.export_shaders("wgsl", "skin-wgsl")
+    >>> [path.name for path in paths][:3]
+    ['skin.wgsl', 'blocks.wgsl', 'skinshade.h']
     """
-    if language not in LANGUAGES:
-        raise ArgumentError(f"language is {language!r}; it must be one of {', '.join(LANGUAGES)}")
-    form = LANGUAGES[language]
+    choice = Language.of(language, "language")
+    form = LANGUAGES[choice]
     skin = Skin.of(profile or Profile.preset("skin-deon2007"), params or SkinParams())
-    place = Path(folder)
+    target = Path(folder)
     try:
-        place.mkdir(parents=True, exist_ok=True)
+        target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"{place}: cannot make the folder ({error.strerror})") from None
+        raise OutputError(f"{target}: cannot create the folder ({error.strerror})") from None
     texts = _library(form) | {
         f"blocks.{form.suffix}": generated_text(form.structs),
         "skinshade.h": generated_text("skinshade.h"),
-        "skin.json": _numbers(skin, language),
-        "README.md": guide(language, form, skin),
+        "skin.json": _numbers(skin, choice.value),
+        "README.md": guide(form, skin),
     }
-    written = [_written(place / name, text.encode()) for name, text in texts.items()]
+    written = [_write(target / name, text.encode()) for name, text in texts.items()]
     scatter = skin.scatter_params()
-    written.append(_written(place / "skin_block.bin", skin.params.pack()))
-    written.append(_written(place / "scatter_block.bin", scatter.pack()))
-    for at, name in enumerate(ENGINE_LUTS):
-        progress("tables", at / len(ENGINE_LUTS))
+    written.append(_write(target / "skin_block.bin", skin.params.pack()))
+    written.append(_write(target / "scatter_block.bin", scatter.pack()))
+    for index, name in enumerate(ENGINE_LUTS):
+        progress("tables", index / len(ENGINE_LUTS))
         for suffix in (".exr", ".png"):
-            path = place / f"{name}_lut{suffix}"
+            path = target / f"{name}_lut{suffix}"
             skin.lut(name).save(path)
             written.append(path)
     progress("tables", 1.0)
@@ -90,20 +97,20 @@ def export_shaders(
 
 
 def _library(form: ShadingLanguage) -> dict[str, str]:
-    """The functions: one generated file, or the commented source, whose includes become flat."""
+    """Return the functions by file name: one generated file, or one commented source for each term."""
     if form.library:
         return {f"skin.{form.suffix}": form.prologue + generated_text(form.library)}
-    sources = [each for each in SHADERS.joinpath("skin").iterdir() if each.name.endswith(".slang")]
-    sources.append(SHADERS.joinpath("generated/poisson.slang"))
-    flat = {}
-    for each in sorted(sources, key=lambda source: source.name):
-        text = INCLUDE.sub(rf'#include "\1.{form.suffix}"', each.read_text(encoding="utf-8"))
-        flat[each.name.removesuffix("slang") + form.suffix] = text
-    return flat
+    sources = [file for file in LIBRARY.iterdir() if file.name.endswith(".slang")]
+    sources.append(LIBRARY.joinpath("generated/constants.slang"))
+    texts = {}
+    for source in sorted(sources, key=lambda file: file.name):
+        text = INCLUDE.sub(rf'#include "\1.{form.suffix}"', source.read_text(encoding="utf-8"))
+        texts[source.name.removesuffix("slang") + form.suffix] = text
+    return texts
 
 
 def _numbers(skin: Skin, language: str) -> str:
-    """What the binary blocks and the tables were made of, to be read by a person or a tool."""
+    """Return the numbers of the binary blocks and of the tables' axes, as JSON."""
     content = {
         "version": __version__,
         "language": language,
@@ -115,7 +122,7 @@ def _numbers(skin: Skin, language: str) -> str:
     return json.dumps(content, indent=1) + "\n"
 
 
-def _written(path: Path, content: bytes) -> Path:
+def _write(path: Path, content: bytes) -> Path:
     with atomic_write(path) as temporary:
         temporary.write_bytes(content)
     return path

@@ -1,4 +1,4 @@
-"""The one page that goes with the package."""
+"""README of the shader package."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from functools import cache
 from importlib.resources import files
 
 from .._core.version import __version__
-from ..shading.skin import ENGINE_LUTS, Skin
+from ..shading.skin import Skin
+from ..shading.tables import ENGINE_LUTS
 from .example import example_calls, example_inputs
 from .languages import ShadingLanguage
 
@@ -17,7 +18,9 @@ ROWS = {
     "wgsl": "; `mat3x3(a, b, c)` has `m[0] == a`, so pass them in order",
     "metal": "; `float3x3(a, b, c)` has `m[0] == a`, so pass them in order",
 }
+"""Notes on the order of rows, for languages whose matrix constructors take columns."""
 FENCES = {"slang": "hlsl", "metal": "cpp"}
+"""Names of languages for syntax highlighting in Markdown, where they differ from the suffix."""
 
 
 @cache
@@ -25,17 +28,17 @@ def _page() -> str:
     return files("skinshade.sdk").joinpath("guide.md").read_text(encoding="utf-8")
 
 
-def guide(language: str, form: ShadingLanguage, skin: Skin) -> str:
-    """Return the page for a language and a material."""
+def guide(form: ShadingLanguage, skin: Skin) -> str:
+    """Return the README for a language and a material, in Markdown."""
     if form.library:
         library = f"| `skin.{form.suffix}` | every function of the library |"
     else:
         library = (
-            f"| `skin.{form.suffix}` | the library: include this one; it includes a file for each term, with"
+            f"| `skin.{form.suffix}` | the library: include this file; it includes one file per term, with"
             " the source of every formula |"
         )
     declared = form.declared() or [
-        "// Pass textures, sampler and blocks as arguments of your function."
+        "// Metal has no global declarations: pass textures, sampler and blocks as arguments."
     ]
     return _page().format(
         version=__version__,

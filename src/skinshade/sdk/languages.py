@@ -1,38 +1,51 @@
-"""Shading languages: which files an engine includes, and how the same calls are written in each."""
+"""Shading languages: files in the package, and syntax of declarations and calls."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from .._core.choice import Choice
 from ..params.packing import TYPE_NAMES
-from ..shading.skin import ENGINE_LUTS
+from ..shading.tables import ENGINE_LUTS
 
-__all__ = ["LANGUAGES", "ShadingLanguage"]
+__all__ = ["LANGUAGES", "Language", "ShadingLanguage"]
+
+
+class Language(Choice):
+    """Languages of the shader package."""
+
+    SLANG = "slang"
+    HLSL = "hlsl"
+    GLSL_VULKAN = "glsl-vulkan"
+    GLSL_GL = "glsl-gl"
+    GLSL_ES = "glsl-es"
+    WGSL = "wgsl"
+    METAL = "metal"
 
 
 @dataclass(frozen=True)
 class ShadingLanguage:
-    """One form of the package.
+    """A language of the shader package.
 
     Attributes
     ----------
     title
-        For a person to read.
+        Name of the language in texts.
     library
-        Generated file, or empty for the commented source itself.
+        Name of the generated file with all functions; empty where the commented sources are exported.
     suffix
-        Of the files that are written.
+        Suffix of the exported files.
     structs
-        Generated file of the constant blocks.
+        Name of the generated file with the constant blocks.
     types
-        Its names of ``float``, ``float2``, ``float3``, ``float4`` and ``float3x3``, where they are others.
+        Names of ``float``, ``float2``, ``float3``, ``float4`` and ``float3x3`` that differ in the language.
     combined
-        Whether a texture holds its sampler.
+        Whether a texture and its sampler are one object.
     prologue
-        Lines that must stand before the library.
+        Lines that must precede the library.
     checked
-        What has run it.
+        Drivers and compilers with which the tests check the exported files.
     """
 
     title: str
@@ -45,7 +58,7 @@ class ShadingLanguage:
     checked: str = ""
 
     def type_of(self, neutral: str) -> str:
-        """Return its name of a type."""
+        """Return the name of a `neutral` type, such as ``float3``, in the language."""
         return self.types.get(neutral, neutral)
 
     def defined(self, kind: str, name: str, value: str) -> str:
@@ -55,12 +68,12 @@ class ShadingLanguage:
         return f"{self.type_of(kind)} {name} = {value};"
 
     def lut(self, name: str) -> str:
-        """Return the arguments that hand a table on."""
+        """Return the arguments that pass the table `name` to a function."""
         sampler = "" if self.combined else "lut_sampler, "
         return f"{name}_lut, {sampler}scatter_block.{name}_axes"
 
     def declared(self) -> list[str]:
-        """Return the global declarations of what the library's calls are given."""
+        """Return the global declarations of the textures, the sampler and the blocks."""
         if self.suffix == "wgsl":
             blocks = ("skin_block : SkinBlock", "scatter_block : ScatterBlock")
             lines = [
@@ -91,11 +104,11 @@ class ShadingLanguage:
             ("ScatterUniforms", "ScatterBlock scatter_block"),
         )
         if self.combined:
-            lines = [f"layout(std140) uniform {name} {{ {what}; }};" for name, what in blocks]
+            lines = [f"layout(std140) uniform {name} {{ {member}; }};" for name, member in blocks]
             return lines + [f"uniform sampler2D {name}_lut;" for name in ENGINE_LUTS]
         lines = [
-            f"layout(std140, set = 1, binding = {i}) uniform {name} {{ {what}; }};"
-            for i, (name, what) in enumerate(blocks)
+            f"layout(std140, set = 1, binding = {i}) uniform {name} {{ {member}; }};"
+            for i, (name, member) in enumerate(blocks)
         ]
         lines += [
             f"layout(set = 1, binding = {2 + i}) uniform texture2D {name}_lut;"
@@ -108,20 +121,20 @@ class ShadingLanguage:
 
 
 HIGHEST = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-"""OpenGL ES reads float textures at low precision unless told otherwise."""
+"""Precision qualifiers; by default, OpenGL ES reads float textures at low precision."""
 
-LANGUAGES = {
-    "slang": ShadingLanguage(
+LANGUAGES: dict[str, ShadingLanguage] = {
+    Language.SLANG: ShadingLanguage(
         "Slang", "", "slang", "blocks.hlsl", checked="executed as WGSL, compiled as all others"
     ),
-    "hlsl": ShadingLanguage(
+    Language.HLSL: ShadingLanguage(
         "HLSL (Direct3D 11 and 12)",
         "",
         "hlsl",
         "blocks.hlsl",
         checked="executed through DXC and SPIR-V, compiled to DXIL",
     ),
-    "glsl-vulkan": ShadingLanguage(
+    Language.GLSL_VULKAN: ShadingLanguage(
         "GLSL for Vulkan",
         "skin.vulkan.glsl",
         "glsl",
@@ -129,7 +142,7 @@ LANGUAGES = {
         TYPE_NAMES["glsl"],
         checked="executed through glslang and SPIR-V",
     ),
-    "glsl-gl": ShadingLanguage(
+    Language.GLSL_GL: ShadingLanguage(
         "GLSL 3.30 and later for OpenGL",
         "skin.gl.glsl",
         "glsl",
@@ -138,7 +151,7 @@ LANGUAGES = {
         combined=True,
         checked="executed on OpenGL 3.3 and 4.3",
     ),
-    "glsl-es": ShadingLanguage(
+    Language.GLSL_ES: ShadingLanguage(
         "GLSL ES 3.00 for WebGL 2 and OpenGL ES 3",
         "skin.gl.glsl",
         "glsl",
@@ -148,7 +161,7 @@ LANGUAGES = {
         prologue=HIGHEST,
         checked="executed in Chromium's WebGL 2",
     ),
-    "wgsl": ShadingLanguage(
+    Language.WGSL: ShadingLanguage(
         "WGSL for WebGPU",
         "skin.wgsl",
         "wgsl",
@@ -156,12 +169,12 @@ LANGUAGES = {
         TYPE_NAMES["wgsl"],
         checked="executed by naga (wgpu) and Tint (Chromium)",
     ),
-    "metal": ShadingLanguage(
+    Language.METAL: ShadingLanguage(
         "Metal",
         "skin.metal",
         "metal",
         "blocks.metal",
-        checked="emitted; no compiler for it has seen it",
+        checked="not compiled by the tests, which have no Metal compiler",
     ),
 }
-"""By the names that ``skinshade shaders export`` takes."""
+"""Description of each `Language`."""

@@ -1,8 +1,12 @@
-"""The specification: every term of the skin model as pure functions of arrays, float64.
+"""The lighting model: NumPy functions, which specify it, beside their twins for shaders.
 
-One file a term, under the name that the term bears in every shading language:
-`normals`, `direct`, `shadow`, `ambient`, `deep_scatter`, `specular`, `image_light`, `tonemap`, `classic`
-(the formulas of 2014), and `compose`, the whole pixel. Arrays broadcast over leading axes; directions
-are unit vectors that point away from the surface; light is radiance, in units in which a white Lambert
-surface that faces a light of irradiance π has radiance 1.
+A term of the model has one name in every layer: `normals`, `direct`, `energy`, `shadow`, `ambient`,
+`deep_scatter`, `specular`, `image_light`, `tonemap`, and `classic` for the formulas of 2014. The file
+``<term>.py`` holds the NumPy functions, which compute in float64. The file ``<term>.slang`` holds the same
+functions for shaders, and ``generated`` holds their translations into other languages. `pixel` defines the
+inputs of a pixel, `compose` evaluates all terms, `tables` builds lookup tables, and `skin` combines the
+profile, the parameters and the tables of a material.
+
+Arrays broadcast over leading axes. Directions are unit vectors that point away from the surface. A white
+Lambert surface that faces a light of irradiance π has radiance 1.
 """

@@ -1,4 +1,4 @@
-"""Ambient light under diffusion (MODEL §5): spherical harmonics, or three normals for anything else."""
+"""Ambient light under diffusion (MODEL §5): spherical harmonics, or three lookups for other light."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ __all__ = [
 ]
 
 COSINE_BANDS = np.array([1.0, 2.0 / 3.0, 1.0 / 4.0])
-"""Transfer of the clamped cosine per band, over π [Ramamoorthi2001]."""
+"""Factors of the clamped cosine for bands 0, 1 and 2, divided by π [Ramamoorthi2001]."""
 BAND_OF = np.array([0, 1, 1, 1, 2, 2, 2, 2, 2])
+"""Band of each of the nine harmonics."""
 
 
 def sh_basis(directions: FloatArray) -> FloatArray:
@@ -42,20 +43,31 @@ def sh_basis(directions: FloatArray) -> FloatArray:
 def ambient_irradiance(
     radiance_sh: FloatArray, normals: FloatArray, band_transfer: FloatArray | None = None
 ) -> FloatArray:
-    """Return irradiance over π for the normal that each channel sees, (..., 3), ≥ 0.
+    """Return the irradiance over π of each channel at its own normal, (..., 3), ≥ 0.
 
     Parameters
     ----------
     radiance_sh
-        (9, 3) coefficients of the environment's radiance.
+        (9, 3) harmonic coefficients of the environment's radiance.
     normals
-        (..., 3 channels, 3) unnormalised: band l takes their length to the power l.
+        (..., 3 channels, 3) blended normals, not normalised: band l is multiplied by their length to the
+        power l(l+1)/2.
     band_transfer
-        (..., 3 bands, 3 channels) of diffusion over a curved body, T_c(√(l(l+1))κ)·g_c; 1 if None.
+        (..., 3 bands, 3 channels) factors of diffusion over a curved body, T_c(√(l(l+1))κ)·g_c; 1 if None.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.ambient import ambient_irradiance
+    >>> radiance_sh = np.zeros((9, 3))
+    >>> radiance_sh[0] = np.sqrt(4.0 * np.pi)  # radiance 1 in every direction
+    >>> up = np.array([0.0, 1.0, 0.0])
+    >>> ambient_irradiance(radiance_sh, np.stack([up, up, up]))
+    array([1., 1., 1.])
     """
     length = np.sqrt(dot(normals, normals))
     basis = sh_basis(normals / np.maximum(length, 1e-9)[..., None])
-    # |N|⁰, |N|¹, |N|³: a relief's blur damps band 2 three times as fast as band 1, l(l+1)/2.
+    # Blurring relief damps band l by |N|^(l(l+1)/2): the powers 0, 1 and 3.
     bands = np.stack([np.ones_like(length), length, length**3], axis=-2)
     if band_transfer is not None:
         bands = bands * band_transfer
@@ -68,19 +80,34 @@ def ambient_irradiance(
 
 
 def ambient_normals(normals: FloatArray) -> FloatArray:
-    """Return the unit normals (..., 3 channels, 3) to evaluate any other ambient light with."""
+    """Return the unit normals (..., 3 channels, 3) for ambient light without harmonics, e.g. cube maps."""
     return unit_vectors(normals)
 
 
 def ambient_of_three(red: FloatArray, green: FloatArray, blue: FloatArray) -> FloatArray:
-    """Return R of the first, G of the second, B of the third of three ambient values (..., 3)."""
+    """Return ambient light (..., 3) from three lookups, one for each normal of `ambient_normals`.
+
+    Parameters
+    ----------
+    red, green, blue
+        (..., 3) colours at the red, green and blue normal. The result has the red of the first colour,
+        the green of the second and the blue of the third.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.ambient import ambient_of_three
+    >>> ambient_of_three(np.array([1, 0, 0]), np.array([0, 2, 0]), np.array([0, 0, 3]))
+    array([1, 2, 3])
+    """
     return np.stack([red[..., 0], green[..., 1], blue[..., 2]], axis=-1)
 
 
 def bounced_visibility(visibility: FloatArray, albedo: FloatArray) -> FloatArray:
-    """Return visibility (..., 3) with the light that neighbouring surfaces return [Jimenez2016].
+    """Return visibility (..., 3) that includes the light reflected by neighbouring surfaces [Jimenez2016].
 
-    A fit to path-traced occlusion: bright skin fills its own creases with red light.
+    The cubic is a fit to path-traced occlusion: in bright skin, neighbouring surfaces reflect red light
+    into the creases.
     """
     a = 2.0404 * albedo - 0.3324
     b = -4.7951 * albedo + 0.6417
@@ -94,7 +121,7 @@ def bounced_visibility(visibility: FloatArray, albedo: FloatArray) -> FloatArray
 def specular_visibility(
     n_dot_v: FloatArray, visibility: FloatArray, roughness: FloatArray
 ) -> FloatArray:
-    """Return the share of reflected ambient light that is not occluded, 0..1 [Lagarde2014]."""
+    """Return the share (...) of reflected ambient light that is not occluded, 0..1 [Lagarde2014]."""
     exponent = np.exp2(-16.0 * roughness - 1.0)
     base = np.maximum(n_dot_v + visibility, 0.0)
     result: FloatArray = np.clip(base**exponent - 1.0 + visibility, 0.0, 1.0)

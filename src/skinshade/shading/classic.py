@@ -1,4 +1,4 @@
-"""The formulas of 2014, each under the name of the term that replaces it (MODEL §8)."""
+"""The formulas of 2014, each named after the term that replaces it (MODEL §8)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,15 @@ __all__ = [
 def blur_level(
     radius_mm: float, uv_scale_mm: float, map_size: int, hardware_level: FloatArray
 ) -> FloatArray:
-    """Return the mip level of the blurred normal (...)."""
+    """Return the mip level (...) of the blurred normal.
+
+    Parameters
+    ----------
+    radius_mm
+        Radius of the blur on the surface, mm; 2.7 for skin.
+    uv_scale_mm, map_size, hardware_level
+        As in `skinshade.shading.normals.blur_level`.
+    """
     footprint = max(map_size * radius_mm, uv_scale_mm) / uv_scale_mm
     result: FloatArray = np.maximum(hardware_level, np.log2(footprint))
     return result
@@ -34,7 +42,19 @@ def direct(
     light: FloatArray,
     curvature_per_mm: FloatArray,
 ) -> FloatArray:
-    """Return direct diffuse light (..., 3), 0..1, from unit sharp and blurred normals (..., 3)."""
+    """Return direct diffuse light (..., 3), 0..1.
+
+    Parameters
+    ----------
+    lut
+        Curvature table of `skinshade.lut.classic`.
+    sharp, blurred
+        (..., 3) unit normals of the map, without and with blur.
+    light
+        (..., 3) unit vectors towards the light.
+    curvature_per_mm
+        (...) curvature, 1/mm; its sign has no effect.
+    """
     blurred_cosine = dot(blurred, light)
     k = np.clip(1.0 - blurred_cosine, 0.0, 1.0)[..., None] ** 2
     green = unit_vectors(_mix(sharp, blurred, 0.3 + 0.7 * k))
@@ -47,20 +67,32 @@ def direct(
 
 
 def ambient_normals(sharp: FloatArray, blurred: FloatArray) -> FloatArray:
-    """Return the unit normals (..., 3 channels, 3) that ambient light is evaluated for."""
+    """Return the unit normal of each channel (..., 3 channels, 3) for ambient light."""
     green = unit_vectors(_mix(sharp, blurred, np.array(0.3)))
     return np.stack([blurred, green, sharp], axis=-2)
 
 
 def sharpened_shadow(shadow_filter: FloatArray, sharpening: float) -> FloatArray:
-    """Return the shadow for specular light (...): .9 S about the middle of the filter's value."""
+    """Return the shadow of specular light (...): a smoothstep of .9 · sharpening · (filter − ½) + ½."""
     return smoothstep(0.9 * sharpening * (shadow_filter - 0.5) + 0.5)
 
 
 def deep_scatter(
     thickness_mm: FloatArray, n_dot_l: FloatArray, radius_mm: float, strength: float
 ) -> FloatArray:
-    """Return deep scatter (...), one number for all channels; a colour and a texture follow."""
+    """Return the light through the body (...), equal in all channels, before its colour and its texture.
+
+    Parameters
+    ----------
+    thickness_mm
+        (...) thickness of the body towards the light, mm.
+    n_dot_l
+        (...) N·L of the blurred normal.
+    radius_mm
+        Radius of the falloff, mm.
+    strength
+        Factor on the light.
+    """
     falloff = classic_transmittance(thickness_mm, radius_mm)
     result: FloatArray = strength * falloff * np.maximum(CLASSIC_WRAP - n_dot_l, 0.0)
     return result

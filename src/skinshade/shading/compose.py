@@ -1,27 +1,24 @@
-"""The whole pixel: every term, in the order in which a shader calls them.
+"""Shading of a whole pixel: all terms, in the order in which a shader evaluates them.
 
-`lambert` is the same surface without any scattering, `classic` the system of 2014, `transfer` ours.
-Each gives the same named terms, which add up to the picture.
+The three lighting models (`skinshade.params.choices.Shading`) return terms of the same names. The sum of
+the terms is the image.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Literal
 
 import numpy as np
 
 from .._core.arrays import FloatArray, dot
-from ..profile.energy import energy_gain
+from ..params.choices import Shading, Tier
 from . import ambient, classic, deep_scatter, direct, normals, shadow, specular
+from .energy import energy_gain
 from .pixel import Ambient, Incident, Surface
 from .skin import Skin
 
-__all__ = ["TERMS", "ShadingMode", "Tier", "shade"]
-
-ShadingMode = Literal["lambert", "classic", "transfer"]
-Tier = Literal["scalar", "tensor", "diffused-normals"]
+__all__ = ["TERMS", "shade"]
 
 TERMS = (
     "direct",
@@ -31,9 +28,10 @@ TERMS = (
     "ambient_deep_scatter",
     "ambient_specular",
 )
-"""What `shade` returns: diffuse terms carry the albedo, all are radiance."""
+"""Names of the terms that `shade` returns. All terms are radiance; the diffuse ones include the albedo."""
 
-_Direct = Callable[[Skin, Surface, FloatArray, Incident], dict[str, FloatArray]]
+_LightTerms = Callable[[Skin, Surface, FloatArray, Incident], dict[str, FloatArray]]
+"""Function that returns the terms of one light, given the normal of each channel."""
 
 
 def shade(
@@ -41,168 +39,229 @@ def shade(
     surface: Surface,
     lights: list[Incident],
     surroundings: Ambient | None,
-    mode: ShadingMode = "transfer",
-    tier: Tier = "diffused-normals",
+    shading: Shading = Shading.TRANSFER,
+    tier: Tier = Tier.DIFFUSED_NORMALS,
 ) -> dict[str, FloatArray]:
-    """Return every term of `TERMS` as radiance (N, 3)."""
+    """Return every term of `TERMS` as radiance (N, 3).
+
+    Parameters
+    ----------
+    skin
+        Material with the tables that the lighting model uses.
+    surface
+        Surface at N pixels.
+    lights
+        Lights at these pixels.
+    surroundings
+        Ambient light at these pixels; None for no ambient light.
+    shading
+        Lighting model.
+    tier
+        Geometry that `Shading.TRANSFER` uses.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import skinshade as sk
+    >>> from skinshade.params.choices import Tier
+    >>> from skinshade.shading.compose import shade
+    >>> from skinshade.shading.pixel import Incident, Surface
+    >>> profile = sk.Profile.preset("skin-deon2007")
+    >>> skin = sk.Skin.of(profile, sk.SkinParams(), luts=("sphere", "shadow"), fetches=(2,))
+    >>> up = np.array([[0.0, 0.0, 1.0]])
+    >>> surface = Surface(
+    ...     view=up,
+    ...     mesh_normal=up,
+    ...     fetched=np.stack([up, up], axis=1),
+    ...     curvature_per_mm=np.array([0.0]),
+    ...     albedo=np.array([[0.5, 0.4, 0.3]]),
+    ...     gloss=np.array([0.35]),
+    ...     reflectance=np.array([0.028]),
+    ...     tint=np.ones((1, 3)),
+    ... )
+    >>> light = Incident(to_light=up, radiance=np.ones((1, 3)), shadow_filter=np.ones(1))
+    >>> shade(skin, surface, [light], None, tier=Tier.SCALAR)["direct"].round(1)
+    array([[0.5, 0.4, 0.3]])
+    """
     zero = np.zeros_like(surface.albedo)
     terms = dict.fromkeys(TERMS, zero)
-    gain = _gain(skin, surface) if mode == "transfer" else np.ones_like(zero)
-    methods: dict[ShadingMode, _Direct] = {
-        "lambert": _lambert,
-        "classic": _classic,
-        "transfer": partial(_transfer, tier=tier, gain=gain),
+    gain = _gain(skin, surface) if shading == Shading.TRANSFER else np.ones_like(zero)
+    methods: dict[Shading, _LightTerms] = {
+        Shading.LAMBERT: _lambert,
+        Shading.CLASSIC: _classic,
+        Shading.TRANSFER: partial(_transfer, tier=tier, gain=gain),
     }
-    direct_of = methods[mode]
-    seen = _seen_normals(skin, surface, mode)
+    light_terms = methods[shading]
+    channel_normals = _channel_normals(skin, surface, shading)
     for light in lights:
-        for name, value in direct_of(skin, surface, seen, light).items():
+        for name, value in light_terms(skin, surface, channel_normals, light).items():
             terms[name] = terms[name] + value * light.radiance
     if surroundings is not None:
-        terms |= _ambient(skin, surface, seen, surroundings, mode, gain)
-    body = surface.albedo
-    if mode != "classic":
+        terms |= _ambient(skin, surface, channel_normals, surroundings, shading, gain)
+    albedo = surface.albedo
+    if shading != Shading.CLASSIC:
         n_dot_v = dot(surface.mesh_normal, surface.view)
         share = specular.diffuse_share(n_dot_v, surface.gloss, surface.reflectance)
-        body = body * share[:, None]
+        albedo = albedo * share[:, None]
     for name in ("direct", "deep_scatter", "ambient", "ambient_deep_scatter"):
-        terms[name] = terms[name] * body
+        terms[name] = terms[name] * albedo
     return terms
 
 
-def _seen_normals(skin: Skin, surface: Surface, mode: ShadingMode) -> FloatArray:
-    """The normal that each channel sees in its map, (N, 3 channels, 3)."""
-    if mode == "lambert":
+def _channel_normals(skin: Skin, surface: Surface, shading: Shading) -> FloatArray:
+    """Return the normal of each channel, (N, 3 channels, 3)."""
+    if shading == Shading.LAMBERT:
         return np.repeat(surface.sharp[:, None], 3, axis=1)
-    if mode == "classic":
+    if shading == Shading.CLASSIC:
         return classic.ambient_normals(surface.sharp, surface.blurred)
     return normals.blend_normals(surface.fetched, skin.blend(surface.fetched.shape[1]))
 
 
 def _lambert(
-    skin: Skin, surface: Surface, seen: FloatArray, light: Incident
+    skin: Skin, surface: Surface, channel_normals: FloatArray, light: Incident
 ) -> dict[str, FloatArray]:
-    lit = shadow.sharpened_shadow(light.shadow_filter, skin.params.shadow_sharpening)
+    """Return the terms of one light without scattering."""
+    sharpened = shadow.sharpened_shadow(light.shadow_filter, skin.params.shadow_sharpening)
     cosine = np.maximum(dot(surface.sharp, light.to_light), 0.0)
     return {
-        "direct": np.repeat((cosine * lit)[:, None], 3, axis=1),
-        "specular": _specular(surface, light, lit),
+        "direct": np.repeat((cosine * sharpened)[:, None], 3, axis=1),
+        "specular": _specular(surface, light, sharpened),
     }
 
 
 def _classic(
-    skin: Skin, surface: Surface, seen: FloatArray, light: Incident
+    skin: Skin, surface: Surface, channel_normals: FloatArray, light: Incident
 ) -> dict[str, FloatArray]:
+    """Return the terms of one light by the formulas of 2014."""
     params = skin.params
     n_dot_l = dot(surface.mesh_normal, light.to_light)
     diffuse = classic.direct(
-        skin.classic_curvature,
+        skin.lut("classic"),
         surface.sharp,
         surface.blurred,
         light.to_light,
         surface.curvature_per_mm,
     )
-    edge = shadow.diffused_shadow(
-        skin.classic_shadow, light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
+    diffused_shadow = shadow.diffused_shadow(
+        skin.lut("classic_shadow"), light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
     )
-    lit = classic.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
-    terms = {"direct": diffuse * edge, "specular": _specular(surface, light, lit)}
+    sharpened = classic.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
+    terms = {
+        "direct": diffuse * diffused_shadow,
+        "specular": _specular(surface, light, sharpened),
+    }
     if light.thickness_mm is not None:
-        glow = classic.deep_scatter(
+        scattered = classic.deep_scatter(
             light.thickness_mm,
             dot(surface.blurred, light.to_light),
             params.classic_deep_scatter_radius_mm,
             params.deep_scatter_strength,
         )
-        terms["deep_scatter"] = glow[:, None] * _tint(skin, surface)
+        terms["deep_scatter"] = scattered[:, None] * _tint(skin, surface)
     return terms
 
 
 def _transfer(
     skin: Skin,
     surface: Surface,
-    seen: FloatArray,
+    channel_normals: FloatArray,
     light: Incident,
     *,
     tier: Tier,
     gain: FloatArray,
 ) -> dict[str, FloatArray]:
+    """Return the terms of one light by the transfer model."""
     params = skin.params
     n_dot_l = dot(surface.mesh_normal, light.to_light)
-    edge = shadow.diffused_shadow(
-        skin.shadow, light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
+    diffused_shadow = shadow.diffused_shadow(
+        skin.lut("shadow"), light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
     )
-    lit = shadow.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
-    result = {
-        "direct": _diffused(skin, surface, seen, light, tier, gain) * edge,
-        "specular": _specular(surface, light, lit),
+    sharpened = shadow.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
+    terms = {
+        "direct": _diffuse(skin, surface, channel_normals, light, tier, gain) * diffused_shadow,
+        "specular": _specular(surface, light, sharpened),
     }
     if light.thickness_mm is not None:
-        # The profile's albedo is the body's; the texture's stays outside, where it is multiplied.
-        passed = deep_scatter.transmittance(
+        # The transmittance is absolute. It is divided by the profile's albedo here, because `shade`
+        # multiplies by the albedo of the texture.
+        transmitted = deep_scatter.transmittance(
             light.thickness_mm, skin.profile.albedo, skin.sigma_per_mm
         )
-        glow = deep_scatter.direct_deep_scatter(
-            passed / skin.profile.albedo,
+        scattered = deep_scatter.direct_deep_scatter(
+            transmitted / skin.profile.albedo,
             dot(surface.blurred, light.to_light),
             params.deep_scatter_strength,
         )
-        result["deep_scatter"] = glow * _tint(skin, surface)
-    return result
+        terms["deep_scatter"] = scattered * _tint(skin, surface)
+    return terms
 
 
-def _diffused(
+def _diffuse(
     skin: Skin,
     surface: Surface,
-    seen: FloatArray,
+    channel_normals: FloatArray,
     light: Incident,
     tier: Tier,
     gain: FloatArray,
 ) -> FloatArray:
-    if tier == "scalar" or surface.tensor_world is None:
+    """Return direct diffuse light (N, 3) in a tier, or in a simpler tier if the surface lacks its data."""
+    if tier == Tier.SCALAR or surface.tensor_world is None:
         return direct.direct_scalar(
-            skin.sphere, seen, light.to_light, surface.curvature_per_mm, gain
+            skin.lut("sphere"), channel_normals, light.to_light, surface.curvature_per_mm, gain
         )
     directional, total = direct.directional_curvature(
         surface.tensor_world, surface.mesh_normal, light.to_light
     )
-    if tier == "tensor" or surface.diffused_normals is None:
+    if tier == Tier.TENSOR or surface.diffused_normals is None:
         return direct.direct_tensor(
-            skin.ring, skin.transfer, seen, light.to_light, directional, total, gain
+            skin.lut("ring"),
+            skin.transfer,
+            channel_normals,
+            light.to_light,
+            directional,
+            total,
+            gain,
         )
-    both = normals.add_mesh_diffusion(seen, surface.diffused_normals, surface.mesh_normal)
-    if surface.unexplained is None:
-        relief = direct.unexplained_length(skin.transfer, seen, surface.diffused_normals, total)
+    diffused = normals.add_mesh_diffusion(
+        channel_normals, surface.diffused_normals, surface.mesh_normal
+    )
+    if surface.mesh_relief is None:
+        relief = direct.relief_length(
+            skin.transfer, channel_normals, surface.diffused_normals, total
+        )
     else:
-        relief = np.sqrt(dot(seen, seen)) * surface.unexplained
+        relief = np.sqrt(dot(channel_normals, channel_normals)) * surface.mesh_relief
     return direct.direct_diffused_normals(
-        skin.ring, skin.transfer, both, relief, light.to_light, directional, gain
+        skin.lut("ring"), skin.transfer, diffused, relief, light.to_light, directional, gain
     )
 
 
 def _ambient(
     skin: Skin,
     surface: Surface,
-    seen: FloatArray,
+    channel_normals: FloatArray,
     surroundings: Ambient,
-    mode: ShadingMode,
+    shading: Shading,
     gain: FloatArray,
 ) -> dict[str, FloatArray]:
-    bands = None
-    if mode == "transfer":
+    """Return the terms of ambient light."""
+    band_transfer = None
+    if shading == Shading.TRANSFER:
         k = np.sqrt(np.array([0.0, 2.0, 6.0])) * np.abs(surface.curvature_per_mm)[:, None]
-        bands = skin.transfer(k) * gain[:, None, :]
-    irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, seen, bands)
+        band_transfer = skin.transfer(k) * gain[:, None, :]
+    irradiance = ambient.ambient_irradiance(
+        surroundings.radiance_sh, channel_normals, band_transfer
+    )
     n_dot_v = dot(surface.sharp, surface.view)
-    open_to = ambient.specular_visibility(
+    unoccluded = ambient.specular_visibility(
         n_dot_v, surroundings.visibility.mean(axis=1), 1.0 - surface.gloss
     )
     fresnel = specular.ambient_specular_fresnel(n_dot_v, surface.gloss, surface.reflectance)
     terms = {
         "ambient": irradiance * surroundings.visibility + surroundings.bounced,
-        "ambient_specular": surroundings.reflected * (fresnel * open_to)[:, None],
+        "ambient_specular": surroundings.reflected * (fresnel * unoccluded)[:, None],
     }
-    if mode == "transfer" and surroundings.through is not None:
+    if shading == Shading.TRANSFER and surroundings.through is not None:
         terms["ambient_deep_scatter"] = (
             skin.params.deep_scatter_strength
             * surroundings.through
@@ -213,19 +272,22 @@ def _ambient(
 
 
 def _gain(skin: Skin, surface: Surface) -> FloatArray:
-    # Light leaves within ρ of where it entered: what counts is curvature averaged as far, per channel.
+    """Return the energy gain (N, 3), from the diffused curvature if the surface has it."""
+    # Light leaves within ρ of its entry, so the gain depends on the curvature averaged over that distance.
     curvature = surface.diffused_curvature_per_mm
     if curvature is None:
         curvature = surface.curvature_per_mm[:, None]
     return energy_gain(skin.profile.albedo, skin.profile.rms_radius_mm, curvature)
 
 
-def _specular(surface: Surface, light: Incident, lit: FloatArray) -> FloatArray:
+def _specular(surface: Surface, light: Incident, sharpened: FloatArray) -> FloatArray:
+    """Return the highlight (N, 3) of one light, multiplied by its sharpened shadow (N,)."""
     highlight = specular.specular(
         surface.sharp, surface.view, light.to_light, surface.gloss, surface.reflectance
     )
-    return np.repeat((highlight * lit)[:, None], 3, axis=1)
+    return np.repeat((highlight * sharpened)[:, None], 3, axis=1)
 
 
 def _tint(skin: Skin, surface: Surface) -> FloatArray:
+    """Return the colour (N, 3) of light that passes through the body."""
     return surface.tint * np.asarray(skin.params.deep_scatter_tint)

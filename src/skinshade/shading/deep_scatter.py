@@ -1,4 +1,4 @@
-"""Light through thin parts: thickness from a depth map, and what gets through it (MODEL §6) [Green2007]."""
+"""Light through thin parts: thickness from a depth map, and transmittance (MODEL §6) [Green2007]."""
 
 from __future__ import annotations
 
@@ -16,16 +16,18 @@ __all__ = [
     "direct_deep_scatter",
     "inward_offset",
     "linear_depth",
+    "mean_thickness",
     "poisson_disk",
     "thickness",
-    "thickness_from_depths",
     "transmittance",
 ]
 
 CLASSIC_WRAP = 0.3
-"""N·L above zero at which the deep scatter of 2014 ended."""
+"""N·L from which the deep scatter of 2014 is 0."""
+THICKNESS_TAPS = (8, 32)
+"""Tap counts of the thickness disk."""
 SIGMA_TIMES_RMS = 1.2
-"""σ·ρ that meets Monte Carlo slabs of skin best; used where a profile is all that is known."""
+"""Product σ·ρ that fits Monte Carlo slabs of skin best; used if only the profile is given."""
 
 
 def linear_depth(depth: FloatArray, projection: FloatArray) -> FloatArray:
@@ -34,10 +36,19 @@ def linear_depth(depth: FloatArray, projection: FloatArray) -> FloatArray:
     Parameters
     ----------
     depth
-        (...) as stored, in whichever range the projection gives.
+        (...) depths as stored, in the range that the projection gives.
     projection
-        (4, 4) for column vectors. Parallel or perspective, left- or right-handed, 0..1, −1..1 or
-        reversed are all one formula: depth = (az + b)/(cz + d) solved for |z|.
+        (4, 4) matrix for column vectors. One formula, depth = (az + b)/(cz + d) solved for |z|, holds for
+        parallel and perspective, left- and right-handed projections, and for the ranges 0..1, −1..1 and
+        reversed.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.deep_scatter import linear_depth
+    >>> parallel = np.diag([0.01, 0.01, 0.001, 1.0])  # depths 0..1 for 0..1000 mm
+    >>> linear_depth(np.array([0.0, 0.4]), parallel)
+    array([  0., 400.])
     """
     a, b = projection[2, 2], projection[2, 3]
     c, d = projection[3, 2], projection[3, 3]
@@ -46,15 +57,19 @@ def linear_depth(depth: FloatArray, projection: FloatArray) -> FloatArray:
 
 
 def inward_offset(position_mm: FloatArray, normal: FloatArray, offset_mm: float) -> FloatArray:
-    """Return positions (..., 3) moved into the body, so that silhouettes find their own depth."""
+    """Return positions (..., 3), mm, moved into the body against their normals (..., 3).
+
+    The offset moves a receiver at a silhouette onto texels that hold the depth of its own surface.
+    """
     return position_mm - normal * offset_mm
 
 
 @cache
 def poisson_disk(taps: int) -> FloatArray:
-    """Return points (taps, 2) on the unit disk, evenly spread without a pattern; read-only.
+    """Return points (taps, 2) in the unit disk, evenly spread without a pattern; read-only.
 
-    Each is the best of many candidates: the farthest from those before it and from the rim.
+    Each point is one of many random candidates: the farthest from all previous points and from the edge
+    of the disk.
 
     Raises
     ------
@@ -68,21 +83,46 @@ def poisson_disk(taps: int) -> FloatArray:
     for _ in range(taps):
         radius, angle = np.sqrt(rng.random(2048)), 2.0 * np.pi * rng.random(2048)
         candidates = radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        # The rim repels half as far as a neighbour, as if the next disk began a little way off.
-        room = 2.0 * (1.0 - radius) + 0.8 / np.sqrt(taps)
+        # The distance to the edge counts twice, plus a margin, as if another disk began beyond the margin.
+        clearance = 2.0 * (1.0 - radius) + 0.8 / np.sqrt(taps)
         if points.size:
-            apart = np.linalg.norm(candidates[:, None] - points, axis=2).min(axis=1)
-            room = np.minimum(room, apart)
-        points = np.concatenate([points, candidates[[np.argmax(room)]]])
+            distance = np.linalg.norm(candidates[:, None] - points, axis=2).min(axis=1)
+            clearance = np.minimum(clearance, distance)
+        points = np.concatenate([points, candidates[[np.argmax(clearance)]]])
     points -= points.mean(axis=0)
     points /= max(1.0, float(np.linalg.norm(points, axis=1).max()))
     points.setflags(write=False)
     return points
 
 
-def thickness_from_depths(receiver_mm: FloatArray, occluder_mm: FloatArray) -> FloatArray:
-    """Return the mean over taps (last axis) of max(0, receiver − occluder), mm."""
-    result: FloatArray = np.maximum(receiver_mm[..., None] - occluder_mm, 0.0).mean(axis=-1)
+def mean_thickness(
+    depths_mm: FloatArray,
+    uv: FloatArray,
+    receiver_mm: FloatArray,
+    radius_uv: FloatArray,
+    taps: int,
+) -> FloatArray:
+    """Return the mean thickness (...), mm: max(0, receiver − depth), averaged over a disk of taps.
+
+    Parameters
+    ----------
+    depths_mm
+        (H, W) depths along the light's axis, mm; infinite where there is no surface.
+    uv
+        (..., 2) coordinates of the receivers in the map, v down. Lookups take the nearest texel and clamp
+        to the edge of the map.
+    receiver_mm
+        (...) depths of the receivers, mm.
+    radius_uv
+        (..., 2) radii of the disk in the map.
+    taps
+        Number of taps.
+    """
+    height, width = depths_mm.shape
+    position = (uv[..., None, :] + poisson_disk(taps) * radius_uv[..., None, :]) * (width, height)
+    texel = np.clip(np.floor(position), 0, (width - 1, height - 1)).astype(np.int64)
+    depths = depths_mm[texel[..., 1], texel[..., 0]]
+    result: FloatArray = np.maximum(receiver_mm[..., None] - depths, 0.0).mean(axis=-1)
     return result
 
 
@@ -94,62 +134,70 @@ def thickness(
     radius_uv: FloatArray,
     taps: int,
 ) -> FloatArray:
-    """Return the mean thickness (...) in front of receivers, mm, from a light's depth map.
+    """Return the mean thickness (...) between a light and receivers, mm, from the light's depth map.
 
     Parameters
     ----------
     depth_map
-        (H, W) as the projection stores it; the nearest texel is taken, the edge's beyond the edge.
+        (H, W) depths as the projection stores them. Lookups take the nearest texel and clamp to the edge
+        of the map.
     projection
-        (4, 4) of the light, as in `linear_depth`, in mm.
+        (4, 4) matrix of the light, as in `linear_depth`, in mm.
     uv
-        (..., 2) of the receivers in the map, v down.
+        (..., 2) coordinates of the receivers in the map, v down.
     receiver_mm
-        (...) distance of the receivers, moved by `inward_offset`, along the light's axis.
+        (...) distances of the receivers along the light's axis, mm; `inward_offset` moves the receivers
+        beforehand.
     radius_uv
-        (..., 2) of the disk.
+        (..., 2) radii of the disk in the map.
     taps
-        8 or 32.
+        Number of taps, 8 or 32.
     """
-    height, width = depth_map.shape
-    at = (uv[..., None, :] + poisson_disk(taps) * radius_uv[..., None, :]) * (width, height)
-    texel = np.clip(np.floor(at), 0, (width - 1, height - 1)).astype(np.int64)
-    depths = depth_map[texel[..., 1], texel[..., 0]]
-    return thickness_from_depths(receiver_mm, linear_depth(depths, projection))
+    return mean_thickness(linear_depth(depth_map, projection), uv, receiver_mm, radius_uv, taps)
 
 
 def default_sigma_per_mm(rms_radius_mm: FloatArray) -> FloatArray:
-    """Return σ (3,) of `transmittance` from a profile's rms radius, 1/mm."""
+    """Return σ (3,) of `transmittance`, 1/mm, from a profile's rms radius (3,), mm."""
     return SIGMA_TIMES_RMS / rms_radius_mm
 
 
 def transmittance(
     thickness_mm: FloatArray, albedo: FloatArray, sigma_per_mm: FloatArray
 ) -> FloatArray:
-    """Return the share of diffuse light that a slab lets through (..., 3) [KubelkaMunk1931].
+    """Return the share of diffuse light that passes through a slab (..., 3) [KubelkaMunk1931].
 
     Parameters
     ----------
     thickness_mm
-        (...) mm.
+        (...) thickness of the slab, mm.
     albedo
-        (..., 3) diffuse albedo of a slab without end, in (0, 1).
+        (..., 3) diffuse albedo of an infinitely thick slab, in (0, 1).
     sigma_per_mm
-        (..., 3) decay in the tail, 1/mm.
+        (..., 3) exponential decay in thick slabs, 1/mm.
 
     Returns
     -------
     (..., 3)
-        Absolute; divide by the albedo where that is multiplied later.
+        Absolute share. Divide it by the albedo if a later step multiplies by the albedo.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.deep_scatter import transmittance
+    >>> albedo, sigma_per_mm = np.array([0.44, 0.23, 0.13]), np.array([0.7, 3.3, 5.4])
+    >>> transmittance(np.array([0.0, 2.0]), albedo, sigma_per_mm).round(3)
+    array([[1.   , 1.   , 1.   ],
+           [0.201, 0.001, 0.   ]])
     """
-    # b/(a sinh x + b cosh x) with a, b = (1 ± A²)/2A, multiplied by e^{−x}: thick slabs do not overflow.
+    # The formula is b/(a sinh x + b cosh x) with a, b = (1 ± A²)/2A. Numerator and denominator are
+    # multiplied by e^{−x}, so that thick slabs do not overflow.
     a2, decay = np.square(albedo), np.exp(-sigma_per_mm * thickness_mm[..., None])
     result: FloatArray = (1.0 - a2) * decay / (1.0 - a2 * decay * decay)
     return result
 
 
 def classic_transmittance(thickness_mm: FloatArray, radius_mm: float) -> FloatArray:
-    """Return exp(−t²/2R²) (...), the falloff of 2014; R about 5 mm for an ear."""
+    """Return exp(−t²/2R²) (...), the falloff of 2014; R is about 5 mm for an ear."""
     result: FloatArray = np.exp(-0.5 * np.square(thickness_mm / radius_mm))
     return result
 
@@ -157,16 +205,16 @@ def classic_transmittance(thickness_mm: FloatArray, radius_mm: float) -> FloatAr
 def direct_deep_scatter(
     transmitted: FloatArray, n_dot_l: FloatArray, strength: float
 ) -> FloatArray:
-    """Return the light through the body (..., 3) over that on a surface facing the light.
+    """Return the light through the body (..., 3), divided by the light on a surface that faces the light.
 
     Parameters
     ----------
     transmitted
-        (..., 3) of `transmittance`.
+        (..., 3) share from `transmittance`.
     n_dot_l
-        (...) of the blurred normal; light enters on the far side where it is negative.
+        (...) N·L of the blurred normal. Where N·L is negative, light enters the body on the far side.
     strength
-        1 is physical.
+        Factor on the light; 1 is physical.
     """
     return strength * transmitted * np.maximum(-n_dot_l, 0.0)[..., None]
 
@@ -174,5 +222,5 @@ def direct_deep_scatter(
 def ambient_deep_scatter(
     transmitted: FloatArray, irradiance_behind: FloatArray, strength: float
 ) -> FloatArray:
-    """Return T(t̄)·E(−N) (..., 3): ambient light from behind through a mean thickness."""
+    """Return strength · T(t̄)·E(−N) (..., 3): ambient light from behind, through a mean thickness t̄."""
     return strength * transmitted * irradiance_behind

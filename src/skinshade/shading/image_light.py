@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._core.arrays import FloatArray, ImageArray, IntArray
+from .._core.arrays import FloatArray, ImageArray, ImageStack, IntArray
 from .specular import SHARP_LOBE_SHARE, specular_power
 
 __all__ = [
@@ -19,47 +19,70 @@ __all__ = [
 ]
 
 LOBE_POWERS = (1.0, 4.0, 16.0, 64.0, 256.0)
-"""Phong powers of the preconvolved levels; a Blinn-Phong power n reflects like n/4 [Walter2007]."""
+"""Phong powers of the preconvolved levels. A Blinn-Phong lobe of power n reflects like a Phong lobe of power
+n/4 [Walter2007]."""
 LEVEL_SIZE = (128, 64)
 """Columns and rows of each level."""
+REFLECTION_LEVELS = float(len(LOBE_POWERS))
+"""Number of levels, for shaders."""
+REFLECTION_ROWS = float(LEVEL_SIZE[1])
+"""Number of rows of each level in the atlas that shaders sample."""
 
 
 @dataclass(frozen=True)
 class PreconvolvedRadiance:
-    """Radiance averaged over Phong lobes around every direction, a level for each of `LOBE_POWERS`.
+    """Radiance of an environment, averaged over Phong lobes around every direction.
 
     Attributes
     ----------
     levels
-        (n, H, W, 3).
+        (n, H, W, 3) equirectangular images, one for each power in `LOBE_POWERS`.
     """
 
-    levels: ImageArray
+    levels: ImageStack
 
     @property
     def atlas(self) -> ImageArray:
-        """(n·H, W, 3) the levels one below the other, as shaders sample them."""
-        return self.levels.reshape(-1, *self.levels.shape[2:])
+        """Image (n·H, W, 3) of all levels, one below the other, for shaders."""
+        count, height, width, channels = self.levels.shape
+        return self.levels.reshape(count * height, width, channels)
 
     def sample(self, directions: FloatArray, power: FloatArray) -> FloatArray:
-        """Return (..., 3) radiance around unit directions (..., 3) for Phong powers (...)."""
+        """Return the radiance (..., 3) around unit directions (..., 3), for lobes of Phong powers (...)."""
         level = reflection_level(power)
-        low = np.minimum(level.astype(np.int64), self.levels.shape[0] - 2)
-        share = (level - low)[..., None]
+        wide_level = np.minimum(level.astype(np.int64), self.levels.shape[0] - 2)
+        weight = (level - wide_level)[..., None]
         u, v = equirectangular_uv(directions)
-        sharp = bilinear(self.levels, low + 1, u, v)
-        return bilinear(self.levels, low, u, v) * (1.0 - share) + sharp * share
+        sharp = bilinear(self.levels, wide_level + 1, u, v)
+        return bilinear(self.levels, wide_level, u, v) * (1.0 - weight) + sharp * weight
 
 
 def equirectangular_uv(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return u, v (...) in 0..1 of unit directions (..., 3)."""
+    """Return the coordinates u, v (...) of unit directions (..., 3), 0..1; v is 0 at +y.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.image_light import equirectangular_uv
+    >>> u, v = equirectangular_uv(np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]))
+    >>> u, v
+    (array([0.5 , 0.75]), array([0.5, 0.5]))
+    """
     u = 0.5 + np.arctan2(direction[..., 2], direction[..., 0]) / (2.0 * np.pi)
     v = np.arccos(np.clip(direction[..., 1], -1.0, 1.0)) / np.pi
     return u, v
 
 
 def reflection_level(power: FloatArray) -> FloatArray:
-    """Return the level (...) of `LOBE_POWERS`, between two of them too, for Phong powers (...)."""
+    """Return the fractional index (...) of Phong powers (...) in `LOBE_POWERS`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.image_light import reflection_level
+    >>> reflection_level(np.array([1.0, 8.0, 1000.0]))
+    array([0. , 1.5, 4. ])
+    """
     level = np.log(np.maximum(power, LOBE_POWERS[0])) / np.log(LOBE_POWERS[1])
     result: FloatArray = np.clip(level, 0.0, len(LOBE_POWERS) - 1.0)
     return result
@@ -68,26 +91,29 @@ def reflection_level(power: FloatArray) -> FloatArray:
 def reflected_radiance(
     preconvolved: PreconvolvedRadiance, direction: FloatArray, gloss: FloatArray
 ) -> FloatArray:
-    """Return (..., 3) radiance that both specular lobes see around a mirror direction.
+    """Return the radiance (..., 3) that both specular lobes reflect from the environment.
 
     Parameters
     ----------
     preconvolved
-        Of the surroundings.
+        Radiance of the environment.
     direction
-        (..., 3) unit, of `skinshade.shading.specular.reflected`.
+        (..., 3) unit mirror directions, from `skinshade.shading.specular.reflected`.
     gloss
-        (...) of the first lobe, 0..1.
+        (...) gloss of the first lobe, 0..1.
     """
     power = specular_power(gloss)
-    # Around the mirror direction a lobe about the half vector is twice as wide: a quarter of the power.
+    # A lobe is twice as wide around the mirror direction as around the half vector: a quarter of the power.
     wide = preconvolved.sample(direction, power / 4.0)
     sharp = preconvolved.sample(direction, np.square(power) / 4.0)
     return (1.0 - SHARP_LOBE_SHARE) * wide + SHARP_LOBE_SHARE * sharp
 
 
-def bilinear(levels: ImageArray, level: IntArray, u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return (..., C) of equirectangular pictures (n, H, W, C) at a level of each and u, v (...)."""
+def bilinear(levels: ImageStack, level: IntArray, u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return bilinear lookups (..., C) in images `levels` (n, H, W, C) at `level` (...) and u, v (...).
+
+    The coordinate u repeats, and v clamps to the edge.
+    """
     _, height, width, _ = levels.shape
     x, y = u * width - 0.5, np.clip(v * height - 0.5, 0.0, height - 1.0)
     x0, y0 = np.floor(x).astype(np.int64), np.minimum(y.astype(np.int64), height - 2)

@@ -1,4 +1,4 @@
-"""What a pixel is given: the surface it sees, each light, and light from all around."""
+"""Inputs of shading at N pixels: the surface, each light, and the ambient light."""
 
 from __future__ import annotations
 
@@ -11,33 +11,35 @@ __all__ = ["Ambient", "Incident", "Surface"]
 
 @dataclass(frozen=True)
 class Surface:
-    """What a pixel sees, (N, ...) each.
+    """Surface at N pixels.
 
     Attributes
     ----------
     view
-        (N, 3) unit, towards the eye.
+        (N, 3) unit vectors towards the eye.
     mesh_normal
-        (N, 3) unit, interpolated.
+        (N, 3) unit normals of the mesh, interpolated.
     fetched
-        (N, 2 or 3, 3) normal map at each blur of ``Skin.blend``, sharp first, in world axes.
+        (N, 2 or 3, 3) normals of the map in world axes: sharp, then at each blur of ``Skin.blend``.
     curvature_per_mm
-        (N,) mean curvature.
+        (N,) mean curvature, 1/mm.
     albedo
-        (N, 3).
-    gloss, reflectance
-        (N,).
+        (N, 3) linear albedo of the texture, 0..1.
+    gloss
+        (N,) gloss of the first specular lobe, 0..1.
+    reflectance
+        (N,) specular reflectance at normal incidence.
     tint
-        (N, 3) of light that comes through.
+        (N, 3) colour of light that passes through the body, 0..1.
     tensor_world
-        (N, 6) shape operator, 1/mm, or None.
+        (N, 6) shape operator in world axes, xx xy xz yy yz zz, 1/mm, or None.
     diffused_normals
-        (N, 3, 3) mesh normals diffused by the profile, or None.
+        (N, 3 channels, 3) mesh normals diffused by the profile, or None.
     diffused_curvature_per_mm
-        (N, 3) mean curvature diffused by the profile, or None; the energy gain takes it.
-    unexplained
-        (N, 3) of `skinshade.shading.direct.unexplained_length` where the map is flat, which varies no
-        faster than vertices stand and can be found for them; None, and it is found for each pixel.
+        (N, 3) mean curvature diffused by the profile, 1/mm, or None. The energy gain depends on it.
+    mesh_relief
+        (N, 3) `skinshade.shading.direct.relief_length` of the mesh alone, computed at the vertices. If it
+        is None, the length is computed at every pixel.
     """
 
     view: FloatArray
@@ -51,33 +53,33 @@ class Surface:
     tensor_world: FloatArray | None = None
     diffused_normals: FloatArray | None = None
     diffused_curvature_per_mm: FloatArray | None = None
-    unexplained: FloatArray | None = None
+    mesh_relief: FloatArray | None = None
 
     @property
     def sharp(self) -> FloatArray:
-        """(N, 3) unit normal of the map without blur."""
+        """Unit normals (N, 3) of the map without blur."""
         return unit_vectors(self.fetched[:, 0])
 
     @property
     def blurred(self) -> FloatArray:
-        """(N, 3) unit normal of the widest blur."""
+        """Unit normals (N, 3) of the map at the widest blur."""
         return unit_vectors(self.fetched[:, -1])
 
 
 @dataclass(frozen=True)
 class Incident:
-    """One light at each pixel.
+    """One light at N pixels.
 
     Attributes
     ----------
     to_light
-        (N, 3) unit.
+        (N, 3) unit vectors towards the light.
     radiance
-        (N, 3) irradiance over π on a surface that faces it.
+        (N, 3) irradiance over π on a surface that faces the light.
     shadow_filter
-        (N,) of the wide filter, 0..1.
+        (N,) value of the wide shadow filter, 0..1.
     thickness_mm
-        (N,) towards the light, or None for no deep scatter.
+        (N,) thickness of the body towards the light, mm, or None for no deep scatter.
     """
 
     to_light: FloatArray
@@ -88,20 +90,20 @@ class Incident:
 
 @dataclass(frozen=True)
 class Ambient:
-    """Light from all around at each pixel.
+    """Ambient light at N pixels.
 
     Attributes
     ----------
     radiance_sh
-        (9, 3).
+        (9, 3) harmonic coefficients of the environment's radiance.
     visibility
-        (N, 3) share that arrives.
+        (N, 3) share of the environment's irradiance that is not occluded, 0..1.
     bounced
-        (N, 3) irradiance over π from the body's own lit parts where they hide the surroundings.
+        (N, 3) irradiance over π from lit parts of the body that occlude the environment.
+    reflected
+        (N, 3) preconvolved radiance in the mirror direction, of both lobes.
     through
         (N, 3) irradiance over π that arrives through the body, or None.
-    reflected
-        (N, 3) preconvolved radiance in the mirror direction, both lobes.
     """
 
     radiance_sh: FloatArray

@@ -1,108 +1,132 @@
-"""What every pixel of a material shares: its profile's tables and weights."""
+"""Material of skin for shading: profile, parameters and tables."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .._core.arrays import FloatArray, as_triple
 from .._core.errors import ArgumentError
-from ..lut import Lut, build_curvature_lut, build_shadow_lut, build_transfer_lut
-from ..lut.classic import classic_curvature_lut, classic_shadow_lut
-from ..lut.spectral import DiffusionGeometry
+from ..lut import Lut
 from ..params import ScatterParams, SkinParams
 from ..profile import Profile
-from . import deep_scatter, normals, shadow
+from .deep_scatter import default_sigma_per_mm
 from .normals import NormalBlend
+from .tables import ENGINE_LUTS, SkinTables
 
-__all__ = ["ENGINE_LUTS", "LUTS", "Skin"]
-
-TABLE_RADIUS_MM = (0.5, 4000.0)
-"""Radii of curvature that the tables hold: from a lash line to what is flat for any profile."""
-TABLE_SIZE = (512, 128)
-
-TABLES_HOLD = ("scatter_scale", "shadow_filter_width_mm", "shadow_sharpening")
-"""Parameters that the tables are made for."""
-
-LUTS = {
-    "ring": "ring",
-    "sphere": "sphere",
-    "transfer": "transfer_lut",
-    "shadow": "shadow",
-    "classic": "classic_curvature",
-    "classic_shadow": "classic_shadow",
-}
-"""Tables by their names in shaders, where each is ``<name>_lut`` with ``<name>_axes``."""
-ENGINE_LUTS = ("ring", "sphere", "transfer", "shadow")
-"""Those that are not for comparison with 2014."""
+__all__ = ["Skin"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Skin:
-    """What is the same for every pixel of a material: tables and fitted weights, made when asked for.
+    """Profile, parameters and tables that all pixels of a material share.
 
     Attributes
     ----------
     profile
-        Already scaled by ``params.scatter_scale``.
+        Diffusion profile, already scaled by ``params.scatter_scale``.
     params
-        The numbers of the material.
+        Parameters of the material.
+    tables
+        Lookup tables and normal blends.
     """
 
     profile: Profile
     params: SkinParams
+    tables: SkinTables
 
     @classmethod
-    def of(cls, profile: Profile, params: SkinParams) -> Skin:
-        """Return the skin of a material.
+    def of(
+        cls,
+        profile: Profile,
+        params: SkinParams,
+        *,
+        luts: Iterable[str] = ENGINE_LUTS,
+        fetches: Iterable[int] = (3,),
+    ) -> Skin:
+        """Return the skin of a material and build its tables.
 
         Parameters
         ----------
         profile
-            As measured; ``params.scatter_scale`` scales it here.
+            Diffusion profile as measured; ``params.scatter_scale`` scales it.
         params
-            The numbers of the material.
-        """
-        return cls(profile.scaled(params.scatter_scale), params)
-
-    def with_params(self, params: SkinParams) -> Skin:
-        """Return the same skin with other parameters, and with the tables it has.
-
-        Parameters
-        ----------
-        params
-            For which the tables hold.
+            Parameters of the material.
+        luts
+            Names of the tables: ``ring``, ``sphere``, ``transfer``, ``shadow``, ``classic`` and
+            ``classic_shadow``.
+        fetches
+            Numbers of normal map fetches, 2 or 3, whose weights are fitted.
 
         Raises
         ------
         ArgumentError
-            Naming the parameter that needs other tables.
+            If a name in `luts` is unknown.
+
+        Examples
+        --------
+        >>> import skinshade as sk
+        >>> skin = sk.Skin.of(sk.Profile.preset("skin-deon2007"), sk.SkinParams())
+        >>> skin.lut("ring").values.shape
+        (128, 512, 3)
         """
-        self.check_tables_hold(params)
-        other = Skin(self.profile, params)
-        made = {
-            name: value for name, value in vars(self).items() if name not in ("profile", "params")
-        }
-        vars(other).update(made)
-        return other
+        scaled = profile.scaled(params.scatter_scale)
+        return cls(scaled, params, SkinTables.build(scaled, params, luts, fetches))
 
-    def lut(self, name: str) -> Lut:
-        """Return a table by its name in shaders, one of `LUTS`."""
-        found: Lut = getattr(self, LUTS[name])
-        return found
+    def including(self, luts: Iterable[str], fetches: Iterable[int] = ()) -> Skin:
+        """Return the skin with additional tables (names `luts`) and weights (numbers `fetches`)."""
+        return replace(self, tables=self.tables.including(luts, fetches))
 
-    def scatter_params(self, fetches: int = 3, luts: Sequence[str] = ENGINE_LUTS) -> ScatterParams:
-        """Return what shaders take of the profile and of its tables.
+    def with_params(self, params: SkinParams) -> Skin:
+        """Return the skin with new parameters and the same tables.
 
         Parameters
         ----------
-        fetches
-            Of the normal map, 2 or 3.
-        luts
-            Names of the tables whose axes are wanted; the others keep their defaults and are not made.
+        params
+            New parameters; those in `skinshade.shading.tables.BUILT_FOR` must have the same values.
+
+        Raises
+        ------
+        ArgumentError
+            If the tables do not fit the new parameters; the message names the parameter.
+        """
+        self.tables.check(params)
+        return replace(self, params=params)
+
+    def lut(self, name: str) -> Lut:
+        """Return the table with this name in shaders.
+
+        Raises
+        ------
+        ArgumentError
+            If the skin was made without the table.
+        """
+        if name not in self.tables.luts:
+            raise ArgumentError(
+                f"the skin has no table {name!r}; make it with luts={(*self.tables.luts, name)}"
+            )
+        return self.tables.luts[name]
+
+    def blend(self, fetches: int = 3) -> NormalBlend:
+        """Return the weights for 2 or 3 fetches of the normal map.
+
+        Raises
+        ------
+        ArgumentError
+            If the skin was made without these weights.
+        """
+        if fetches not in self.tables.blends:
+            raise ArgumentError(
+                f"the skin has no weights of {fetches} fetches; make it with fetches=({fetches},)"
+            )
+        return self.tables.blends[fetches]
+
+    def scatter_params(self, fetches: int = 3) -> ScatterParams:
+        """Return the constants of the profile, the axes of the tables, and the weights for `fetches`.
+
+        The axes of tables that the skin was made without have their default values.
         """
         blend = self.blend(fetches)
         weights, sigmas = np.zeros((3, 3)), np.zeros(2)
@@ -116,94 +140,19 @@ class Skin:
             blend_green=as_triple(weights[1]),
             blend_blue=as_triple(weights[2]),
             normal_sigmas_mm=(float(sigmas[0]), float(sigmas[1])),
-            **{f"{name}_axes": self.lut(name).axes for name in luts},
+            **{f"{name}_axes": lut.axes for name, lut in self.tables.luts.items()},
         )
-
-    def check_tables_hold(self, params: SkinParams) -> None:
-        """Raise if other parameters need other tables.
-
-        Parameters
-        ----------
-        params
-            That a shader is to take with the tables of these.
-
-        Raises
-        ------
-        ArgumentError
-            Naming the parameter.
-        """
-        for name in TABLES_HOLD:
-            made_for, wanted = getattr(self.params, name), getattr(params, name)
-            if made_for != wanted:
-                raise ArgumentError(
-                    f"{name}: the tables were made for {made_for}, not {wanted}; make a Skin of the new"
-                    " parameters"
-                )
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
-        """Return the profile's T(k) (..., 3)."""
+        """Return the profile's T(k) (..., 3) at spatial frequencies `k_per_mm` (...), rad/mm."""
         return self.profile.kernel.transfer(k_per_mm)
 
-    @cached_property
-    def sphere(self) -> Lut:
-        """Curvature table of the sphere, without energy gain."""
-        return self._curvature_table("sphere")
-
-    @cached_property
-    def ring(self) -> Lut:
-        """Curvature table of the ring, without energy gain."""
-        return self._curvature_table("ring")
-
-    @cached_property
-    def transfer_lut(self) -> Lut:
-        """T(k) as shaders look it up."""
-        return build_transfer_lut(self.profile)
-
-    @cached_property
-    def shadow(self) -> Lut:
-        """Shadow table for the material's filter, down to grazing light."""
-        width = self.params.shadow_filter_width_mm
-        return build_shadow_lut(
-            self.profile,
-            size=(512, 64),
-            width_mm=(width, width / shadow.LEAST_COSINE),
-            sharpening=self.params.shadow_sharpening,
-        )
-
-    @cached_property
-    def classic_curvature(self) -> Lut:
-        """Curvature table of 2014."""
-        return classic_curvature_lut(self.profile, size=(512, 64))
-
-    @cached_property
-    def classic_shadow(self) -> Lut:
-        """Shadow table of 2014."""
-        return classic_shadow_lut(
-            self.profile, size=(512, 64), sharpening=self.params.shadow_sharpening
-        )
-
-    def blend(self, fetches: int = 3) -> NormalBlend:
-        """Return the weights of 2 or 3 normal fetches."""
-        if fetches not in self._blends:
-            self._blends[fetches] = normals.normal_blend(self.profile, fetches=fetches)
-        return self._blends[fetches]
-
-    @cached_property
-    def _blends(self) -> dict[int, NormalBlend]:
-        return {}
+    def __repr__(self) -> str:
+        return f"Skin({self.profile!r}, tables {', '.join(self.tables.luts)})"
 
     @property
     def sigma_per_mm(self) -> FloatArray:
-        """(3,) decay of light that comes through the body."""
-        default = deep_scatter.default_sigma_per_mm(self.profile.rms_radius_mm)
-        given = np.asarray(self.params.deep_scatter_sigma_per_mm)
-        return np.where(given > 0.0, given, default)
-
-    def _curvature_table(self, kernel: DiffusionGeometry) -> Lut:
-        return build_curvature_lut(
-            self.profile,
-            size=TABLE_SIZE,
-            radius_mm=TABLE_RADIUS_MM,
-            kernel=kernel,
-            energy_gain=False,
-        )
+        """Decay of light that passes through the body, (3,), 1/mm."""
+        default = default_sigma_per_mm(self.profile.rms_radius_mm)
+        sigma = np.asarray(self.params.deep_scatter_sigma_per_mm)
+        return np.where(sigma > 0.0, sigma, default)

@@ -1,44 +1,34 @@
-"""From linear light to a screen: sRGB, or a filmic curve [Hable2010]."""
+"""Tone curves from linear light to display values: sRGB, or a filmic curve [Hable2010]."""
 
 from __future__ import annotations
-
-from typing import Literal
 
 import numpy as np
 
 from .._core.arrays import FloatArray
+from .._core.srgb import linear_from_srgb, srgb_from_linear
+from ..params.choices import ToneCurve
 
-__all__ = ["ToneMap", "filmic", "linear_from_srgb", "srgb_from_linear", "tonemap"]
-
-ToneMap = Literal["srgb", "filmic"]
+__all__ = ["filmic", "linear_from_srgb", "srgb_from_linear", "tonemap"]
 
 
 def filmic(light: FloatArray) -> FloatArray:
-    """Return display values 0..1, the screen's gamma included, of linear light ≥ 0.
+    """Return display values 0..1 of linear light ≥ 0, including the gamma of the screen.
 
-    The rational fit of a film's response; .004 is its toe, below which it prints black.
+    The curve is a rational fit to the response of film. Light below .004 gives 0.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.tonemap import filmic
+    >>> filmic(np.array([0.0, 0.18, 1.0, 16.0])).round(3)
+    array([0.   , 0.508, 0.841, 0.988])
     """
     x = np.maximum(light - 0.004, 0.0)
     result: FloatArray = x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06)
     return result
 
 
-def srgb_from_linear(light: FloatArray) -> FloatArray:
-    """Return display values of linear light, clipped to 0..1 (IEC 61966-2-1)."""
-    x = np.clip(light, 0.0, 1.0)
-    curve = 1.055 * np.maximum(x, 1e-12) ** (1.0 / 2.4) - 0.055
-    result: FloatArray = np.where(x <= 0.0031308, 12.92 * x, curve)
-    return result
-
-
-def linear_from_srgb(display: FloatArray) -> FloatArray:
-    """Return linear light of display values 0..1 (IEC 61966-2-1)."""
-    x = np.clip(display, 0.0, 1.0)
-    result: FloatArray = np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
-    return result
-
-
-def tonemap(light: FloatArray, curve: ToneMap, exposure: float = 1.0) -> FloatArray:
-    """Return display values 0..1 of linear light times an exposure."""
+def tonemap(light: FloatArray, curve: ToneCurve, exposure: float = 1.0) -> FloatArray:
+    """Return display values 0..1 of linear light (...), multiplied by an exposure, through a tone curve."""
     exposed = light * exposure
-    return filmic(exposed) if curve == "filmic" else srgb_from_linear(exposed)
+    return filmic(exposed) if curve == ToneCurve.FILMIC else srgb_from_linear(exposed)

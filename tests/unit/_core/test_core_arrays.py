@@ -5,7 +5,17 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 import tolerances as tol
-from skinshade._core.arrays import as_faces, as_floats, as_rgb, dot, unit_vectors
+from skinshade._core.arrays import (
+    LARGEST_POSITION,
+    as_faces,
+    as_floats,
+    as_positions,
+    as_rgb,
+    as_triple,
+    bounding_sphere,
+    dot,
+    unit_vectors,
+)
 from skinshade._core.errors import ArgumentError
 
 FINITE = st.floats(-1e100, 1e100)
@@ -47,19 +57,19 @@ def test_another_shape_is_refused_and_named(shape):
     assert f"points: shape is {shape}; it must be (any, 3)" in str(caught.value)
 
 
-def test_any_length_fits_an_open_axis():
+def test_an_axis_of_none_accepts_any_length():
     assert as_floats("points", np.zeros((5, 3)), (None, 3)).shape == (5, 3)
     assert as_floats("points", np.zeros((0, 3)), (None, 3)).shape == (0, 3)
 
 
 @pytest.mark.parametrize("value", ["red", [[1, 2], [3]], [object()], {"a": 1}])
-def test_what_is_no_array_of_numbers_is_refused_by_name(value):
+def test_a_value_that_is_no_array_of_numbers_is_refused_by_name(value):
     with pytest.raises(ArgumentError, match="colour: not an array of numbers"):
         as_floats("colour", value)
 
 
 @pytest.mark.parametrize("value", [1.0 + 2.0j, np.array([1.0 + 2.0j])])
-def test_complex_numbers_are_refused_not_cut(value):
+def test_complex_numbers_are_refused(value):
     with pytest.raises(ArgumentError, match="wave"):
         as_floats("wave", value)
 
@@ -70,9 +80,9 @@ def test_one_number_becomes_three_channels():
 
 
 def test_three_channels_are_a_copy():
-    given_channels = np.array([0.1, 0.2, 0.3])
-    as_rgb("albedo", given_channels)[0] = 9.0
-    assert given_channels[0] == 0.1
+    channels = np.array([0.1, 0.2, 0.3])
+    as_rgb("albedo", channels)[0] = 9.0
+    assert channels[0] == 0.1
 
 
 @pytest.mark.parametrize("value", [(1.0, 2.0), np.zeros((3, 1)), []])
@@ -82,12 +92,13 @@ def test_other_counts_of_channels_are_refused(value):
 
 
 @pytest.mark.parametrize(
-    ("faces", "at", "value"), [([[0, 1, 4]], "[0, 2]", 4), ([[0, 1, 2], [0, -1, 2]], "[1, 1]", -1)]
+    ("faces", "position", "value"),
+    [([[0, 1, 4]], "[0, 2]", 4), ([[0, 1, 2], [0, -1, 2]], "[1, 1]", -1)],
 )
-def test_an_index_out_of_range_is_named_with_its_place(faces, at, value):
+def test_an_index_out_of_range_is_named_with_its_position(faces, position, value):
     with pytest.raises(ArgumentError) as caught:
         as_faces("faces", np.array(faces), 4)
-    assert f"faces{at} is {value}" in str(caught.value)
+    assert f"faces{position} is {value}" in str(caught.value)
     assert "4 vertices" in str(caught.value)
 
 
@@ -134,3 +145,25 @@ def test_a_vector_of_any_length_becomes_one_of_length_one(length):
 @given(*[hnp.arrays(np.float64, (4, 3), elements=st.floats(-10, 10)) for _ in range(2)])
 def test_dot_is_the_sum_of_products(a, b):
     assert np.allclose(dot(a, b), (a * b).sum(axis=-1), rtol=0, atol=300 * tol.ROUNDING.value)
+
+
+def test_a_triple_holds_the_numbers_of_the_array():
+    assert as_triple(np.array([0.1, -2.0, 3e9])) == (0.1, -2.0, 3e9)
+    assert all(type(value) is float for value in as_triple(np.arange(3.0)))
+
+
+@given(
+    hnp.arrays(np.float64, st.tuples(st.integers(1, 9), st.just(3)), elements=st.floats(-1e3, 1e3))
+)
+def test_a_bounding_sphere_touches_the_farthest_point(points):
+    middle, radius = bounding_sphere(points)
+    distance = np.linalg.norm(points - middle, axis=1)
+    assert distance.max() == pytest.approx(radius, rel=tol.ROUNDING.value)
+    assert np.array_equal(middle, 0.5 * (points.min(axis=0) + points.max(axis=0)))
+
+
+@pytest.mark.parametrize("value", [LARGEST_POSITION, -LARGEST_POSITION])
+def test_positions_are_accepted_to_the_greatest_coordinate(value):
+    assert as_positions("points", [[0.0, value, 0.0]]).tolist() == [[0.0, value, 0.0]]
+    with pytest.raises(ArgumentError, match=r"points\[0, 1\] is .*1e\+15"):
+        as_positions("points", [[0.0, 1.001 * value, 0.0]])

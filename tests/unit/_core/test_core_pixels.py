@@ -1,4 +1,4 @@
-"""Pixels that went into a file and came back."""
+"""Image files: pixels and descriptions that are written are read back."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("pixels")
 
 
-def pictures(kind, channels, **elements):
+def images(kind, channels, **elements):
     sides = st.integers(1, 9)
     shapes = st.tuples(sides, sides, st.sampled_from(channels))
     return shapes.flatmap(lambda shape: hnp.arrays(kind, shape, elements=elements or None))
 
 
-def through(path, pixels, description=""):
+def written_and_read(path, pixels, description=""):
     write_pixels(path, pixels, description)
     return read_pixels(path, ImageFileError)
 
 
-def fresh(folder, suffix):
+def new_path(folder, suffix):
     return folder / f"{next(NUMBER)}{suffix}"
 
 
@@ -43,59 +43,59 @@ def sample(height=6, width=5, channels=3, kind=np.uint8):
     return (steps / np.float32(255.0)).astype(kind) if kind is np.float32 else steps.astype(kind)
 
 
-# -- there and back --------------------------------------------------------------------------------
+# -- written and read back -------------------------------------------------------------------------
 
 
-@given(pictures(np.float32, (1, 2, 3, 4, 5)))
+@given(images(np.float32, (1, 2, 3, 4, 5)))
 @example(np.array([[[1e-45, -0.0, 3.4e38]]], dtype=np.float32))
 @example(np.array([[[np.nan, np.inf, -np.inf]]], dtype=np.float32))
-def test_exr_keeps_every_float_to_the_last_bit_whatever_it_is(folder, pixels):
-    found, _ = through(fresh(folder, ".exr"), pixels)
-    assert found.dtype == np.float32
-    assert found.flags.c_contiguous
-    assert np.array_equal(found, pixels, equal_nan=True)
-    assert np.array_equal(np.signbit(found), np.signbit(pixels))
+def test_exr_keeps_every_bit_of_every_float(folder, pixels):
+    read, _ = written_and_read(new_path(folder, ".exr"), pixels)
+    assert read.dtype == np.float32
+    assert read.flags.c_contiguous
+    assert np.array_equal(read, pixels, equal_nan=True)
+    assert np.array_equal(np.signbit(read), np.signbit(pixels))
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16])
 @given(data=st.data())
-def test_png_keeps_every_step_of_grey_and_colour(folder, kind, data):
-    pixels = data.draw(pictures(kind, (1, 3)))
-    found, _ = through(fresh(folder, ".png"), pixels)
-    scaled = found * np.float64(np.iinfo(kind).max)
-    assert found.shape == pixels.shape
+def test_png_keeps_every_step_of_grey_and_rgb_images(folder, kind, data):
+    pixels = data.draw(images(kind, (1, 3)))
+    read, _ = written_and_read(new_path(folder, ".png"), pixels)
+    scaled = read * np.float64(np.iinfo(kind).max)
+    assert read.shape == pixels.shape
     assert np.array_equal(np.rint(scaled), pixels)
-    assert np.abs(found - pixels / np.iinfo(kind).max).max() <= tol.FLOAT32.value
+    assert np.abs(read - pixels / np.iinfo(kind).max).max() <= tol.FLOAT32.value
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16])
 @given(data=st.data())
 @example(data=None)
-def test_alpha_leaves_the_colours_beside_it_alone(folder, kind, data):
-    """A map's fourth channel is a value like the others: nothing is multiplied by it."""
+def test_colours_are_not_multiplied_by_alpha(folder, kind, data):
+    """The fourth channel of a map is an independent value."""
     clear = np.array([[[200, 100, 50, 0], [200, 100, 50, 128]]], dtype=kind)
-    pixels = clear if data is None else data.draw(pictures(kind, (2, 4)))
-    found, _ = through(fresh(folder, ".png"), pixels)
-    assert np.array_equal(np.rint(found * np.float64(np.iinfo(kind).max)), pixels)
+    pixels = clear if data is None else data.draw(images(kind, (2, 4)))
+    read, _ = written_and_read(new_path(folder, ".png"), pixels)
+    assert np.array_equal(np.rint(read * np.float64(np.iinfo(kind).max)), pixels)
 
 
 @pytest.mark.parametrize("mode", ["LA", "RGBA"])
-def test_a_png_of_another_program_is_read_with_its_colours_as_stored(tmp_path, mode):
+def test_a_png_of_another_program_keeps_the_stored_colours(tmp_path, mode):
     stored = sample(channels=len(mode))
     Image.fromarray(stored, mode=None).save(tmp_path / "map.png")
-    found, _ = read_pixels(tmp_path / "map.png", ImageFileError)
-    assert np.array_equal(np.rint(found * 255.0), stored)
+    read, _ = read_pixels(tmp_path / "map.png", ImageFileError)
+    assert np.array_equal(np.rint(read * 255.0), stored)
 
 
-@given(pictures(np.float32, (3,), min_value=0.0, max_value=1.0))
-def test_floats_between_the_steps_of_16_bits_come_back_within_half_a_step(folder, pixels):
+@given(images(np.float32, (3,), min_value=0.0, max_value=1.0))
+def test_floats_rounded_to_16_bits_are_read_within_half_a_step(folder, pixels):
     steps = np.rint(pixels.astype(np.float64) * 65535.0).astype(np.uint16)
-    found, _ = through(fresh(folder, ".png"), steps)
+    read, _ = written_and_read(new_path(folder, ".png"), steps)
     half = (tol.PNG_HALF_STEP.value / 65535.0) + tol.FLOAT32.value
-    assert np.abs(found - pixels).max() <= half
+    assert np.abs(read - pixels).max() <= half
 
 
-def test_the_type_of_the_array_is_that_of_the_file(tmp_path):
+def test_the_file_has_the_type_of_the_array(tmp_path):
     for kind in (np.uint8, np.uint16):
         write_pixels(tmp_path / "a.png", sample(kind=kind))
         depth = (tmp_path / "a.png").read_bytes()[24]
@@ -105,7 +105,7 @@ def test_the_type_of_the_array_is_that_of_the_file(tmp_path):
     assert all(bytes([name]) + b"\x00\x02\x00\x00\x00" in data for name in b"RGB")  # FLOAT: 2
 
 
-def test_rows_run_down_and_columns_to_the_right(tmp_path):
+def test_rows_go_down_and_columns_go_right(tmp_path):
     pixels = np.zeros((2, 3, 3), dtype=np.uint8)
     pixels[0, 2] = 10, 20, 30
     write_pixels(tmp_path / "a.png", pixels)
@@ -114,27 +114,27 @@ def test_rows_run_down_and_columns_to_the_right(tmp_path):
         assert image.getpixel((2, 0)) == (10, 20, 30)
 
 
-def test_a_view_is_written_as_what_it_shows(tmp_path):
+def test_an_array_view_with_strides_is_written_correctly(tmp_path):
     pixels = sample(8, 8)
-    found, _ = through(tmp_path / "a.png", pixels[::2, ::-1])
-    assert np.array_equal(np.rint(found * 255.0), pixels[::2, ::-1])
+    read, _ = written_and_read(tmp_path / "a.png", pixels[::2, ::-1])
+    assert np.array_equal(np.rint(read * 255.0), pixels[::2, ::-1])
 
 
-def test_a_palette_and_one_bit_are_read_as_what_they_show(tmp_path):
+def test_palette_and_one_bit_images_are_read_as_their_colours(tmp_path):
     Image.fromarray(sample()).quantize(8).save(tmp_path / "palette.png")
     with Image.open(tmp_path / "palette.png") as image:
-        shown = np.asarray(image.convert("RGB"))
-    found, _ = read_pixels(tmp_path / "palette.png", ImageFileError)
-    assert np.array_equal(np.rint(found * 255.0), shown)
+        rgb = np.asarray(image.convert("RGB"))
+    read, _ = read_pixels(tmp_path / "palette.png", ImageFileError)
+    assert np.array_equal(np.rint(read * 255.0), rgb)
     Image.fromarray(np.eye(4, dtype=bool)).save(tmp_path / "bits.png")
     assert np.array_equal(read_pixels(tmp_path / "bits.png", ImageFileError)[0][..., 0], np.eye(4))
 
 
-def test_radiance_pictures_keep_light_beyond_one_to_eight_bits_of_the_brightest_channel(tmp_path):
+def test_hdr_images_keep_eight_bits_of_the_brightest_channel(tmp_path):
     pixels = np.exp2(8.0 * sample(kind=np.float32))
-    found, _ = through(tmp_path / "sky.hdr", pixels)
+    read, _ = written_and_read(tmp_path / "sky.hdr", pixels)
     step = np.exp2(np.floor(np.log2(pixels.max(axis=-1, keepdims=True))) - 7.0)
-    assert (np.abs(found - pixels) <= step).all()
+    assert (np.abs(read - pixels) <= step).all()
 
 
 # -- the description -------------------------------------------------------------------------------
@@ -144,18 +144,18 @@ TEXTS = st.text(st.characters(codec="utf-8", exclude_categories=("Cc", "Cs")), m
 
 @pytest.mark.parametrize("suffix", [".exr", ".png"])
 @given(text=TEXTS)
-def test_the_description_comes_back_in_every_script(folder, suffix, text):
+def test_descriptions_in_every_script_are_read_back(folder, suffix, text):
     kind = np.float32 if suffix == ".exr" else np.uint16
-    assert through(fresh(folder, suffix), sample(kind=kind), text)[1] == text
+    assert written_and_read(new_path(folder, suffix), sample(kind=kind), text)[1] == text
 
 
-def test_a_description_of_a_megabyte_comes_back_whole(tmp_path):
+def test_a_description_of_a_megabyte_is_read_back_complete(tmp_path):
     text = '{"a": "b"}' * 100_000
-    assert through(tmp_path / "a.exr", sample(kind=np.float32), text)[1] == text
-    assert through(tmp_path / "a.png", sample(), text)[1] == text
+    assert written_and_read(tmp_path / "a.exr", sample(kind=np.float32), text)[1] == text
+    assert written_and_read(tmp_path / "a.png", sample(), text)[1] == text
 
 
-def test_one_file_alone_knows_the_image_library(repository):
+def test_only_pixels_py_imports_the_image_library(repository):
     sources = sorted((repository / "src").rglob("*.py"))
-    knowing = [p.name for p in sources if "OpenImageIO as" in p.read_text(encoding="utf-8")]
-    assert knowing == ["pixels.py"]
+    importers = [p.name for p in sources if "OpenImageIO as" in p.read_text(encoding="utf-8")]
+    assert importers == ["pixels.py"]

@@ -1,4 +1,4 @@
-"""Files that are no pictures, and places where none can be written."""
+"""Files that are no images, and paths that cannot be written."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def sample(height=6, width=5, kind=np.uint8):
     return (steps / np.float32(255.0)).astype(kind) if kind is np.float32 else steps.astype(kind)
 
 
-# -- files that are no pictures --------------------------------------------------------------------
+# -- files that are no images ----------------------------------------------------------------------
 
 
 def chunk(kind, data):
@@ -37,33 +37,33 @@ def chunk(kind, data):
     return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
 
 
-def png_that_claims(width, height, data=b""):
+def png_of_size(width, height, data=b""):
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
     parts = [(b"IHDR", header), (b"IDAT", zlib.compress(data)), (b"IEND", b"")]
     return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
 
 
-def hdr_that_claims(width, height):
+def hdr_of_size(width, height):
     return f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n".encode()
 
 
-NO_PICTURES = {
-    "text.png": b"not a picture at all",
-    "text.exr": b"\x76\x2f\x31\x01 but no more",
+NOT_IMAGES = {
+    "text.png": b"not an image",
+    "text.exr": b"\x76\x2f\x31\x01 without the rest",
     "zeros.jpg": bytes(4096),
     "no-suffix": b"\x00\x01\x02",
-    "no-pixels.png": png_that_claims(0, 3),
-    "no-data.png": png_that_claims(4, 4),
-    "half-a-row.png": png_that_claims(4, 4, b"\x00" * 20),
-    "no-data.hdr": hdr_that_claims(4, 4),
-    "huge.png": png_that_claims(2**31 - 1, 2**31 - 1),
-    "long.png": png_that_claims(LARGEST_SIDE + 1, 1, bytes(3 * LARGEST_SIDE + 4)),
-    "large.png": png_that_claims(LARGEST_SIDE, LARGEST_SIDE),
-    "large.hdr": hdr_that_claims(LARGEST_SIDE, LARGEST_SIDE),
+    "no-pixels.png": png_of_size(0, 3),
+    "no-data.png": png_of_size(4, 4),
+    "half-a-row.png": png_of_size(4, 4, b"\x00" * 20),
+    "no-data.hdr": hdr_of_size(4, 4),
+    "huge.png": png_of_size(2**31 - 1, 2**31 - 1),
+    "long.png": png_of_size(LARGEST_SIDE + 1, 1, bytes(3 * LARGEST_SIDE + 4)),
+    "large.png": png_of_size(LARGEST_SIDE, LARGEST_SIDE),
+    "large.hdr": hdr_of_size(LARGEST_SIDE, LARGEST_SIDE),
 }
 
 
-def complaint(path, kind=ImageFileError):
+def error_message(path, kind=ImageFileError):
     with pytest.raises(kind) as caught:
         read_pixels(path, kind)
     message = str(caught.value)
@@ -72,30 +72,30 @@ def complaint(path, kind=ImageFileError):
     return message
 
 
-@pytest.mark.parametrize("name", NO_PICTURES)
-def test_what_is_no_picture_is_an_error_in_one_line_that_names_it(tmp_path, name):
-    (tmp_path / name).write_bytes(NO_PICTURES[name])
-    complaint(tmp_path / name)
+@pytest.mark.parametrize("name", NOT_IMAGES)
+def test_a_file_that_is_no_image_is_named_in_a_message_of_one_line(tmp_path, name):
+    (tmp_path / name).write_bytes(NOT_IMAGES[name])
+    error_message(tmp_path / name)
 
 
-def test_the_longest_side_that_is_believed_is_read(tmp_path):
+def test_an_image_with_the_longest_allowed_side_is_read(tmp_path):
     rows = bytes(3 * LARGEST_SIDE + 1)
-    (tmp_path / "long.png").write_bytes(png_that_claims(LARGEST_SIDE, 1, rows))
+    (tmp_path / "long.png").write_bytes(png_of_size(LARGEST_SIDE, 1, rows))
     assert read_pixels(tmp_path / "long.png", ImageFileError)[0].shape == (1, LARGEST_SIDE, 3)
 
 
 @pytest.mark.parametrize(
     ("width", "height"), [(LARGEST_SIDE + 1, 1), (LARGEST_SIDE, MOST_PIXELS // LARGEST_SIDE + 1)]
 )
-def test_a_size_that_is_not_believed_is_told(tmp_path, width, height):
-    (tmp_path / "big.png").write_bytes(png_that_claims(width, height))
-    assert f"claims {width}×{height} pixels; too large" in complaint(tmp_path / "big.png")
+def test_an_implausible_size_is_an_error_that_states_it(tmp_path, width, height):
+    (tmp_path / "big.png").write_bytes(png_of_size(width, height))
+    assert f"claims {width}×{height} pixels; too large" in error_message(tmp_path / "big.png")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="needs a system that can limit memory")
+@pytest.mark.skipif(sys.platform != "linux", reason="needs a limit on memory")
 @pytest.mark.parametrize("name", ["large.png", "large.hdr", "huge.png"])
-def test_a_header_that_claims_gigabytes_takes_no_memory(tmp_path, name):
-    (tmp_path / name).write_bytes(NO_PICTURES[name])
+def test_a_header_of_implausible_size_allocates_no_memory(tmp_path, name):
+    (tmp_path / name).write_bytes(NOT_IMAGES[name])
     program = (
         "import resource, sys; resource.setrlimit(resource.RLIMIT_AS, (2**32, 2**32))\n"
         "from skinshade._core.pixels import read_pixels\n"
@@ -109,74 +109,88 @@ def test_a_header_that_claims_gigabytes_takes_no_memory(tmp_path, name):
 
 @pytest.mark.parametrize("suffix", [".png", ".exr", ".jpg", ".hdr", ".tif"])
 @given(share=st.floats(0.0, 0.97))
-def test_a_file_that_was_cut_off_is_never_taken_for_a_picture(folder, suffix, share):
+def test_a_truncated_file_is_refused(folder, suffix, share):
     path = folder / f"cut{suffix}"
     kind = np.float32 if suffix in (".exr", ".hdr") else np.uint8
     write_pixels(path, sample(40, 50, kind=kind))
     data = path.read_bytes()
     path.write_bytes(data[: max(1, int(share * len(data)))])
-    complaint(path)
+    error_message(path)
 
 
 @pytest.mark.parametrize("suffix", [".png", ".exr"])
-@given(place=st.floats(0.0, 1.0, exclude_max=True), value=st.integers(0, 255))
-def test_a_wrong_byte_is_an_error_of_the_tree_or_does_no_harm(folder, suffix, place, value):
+@given(position=st.floats(0.0, 1.0, exclude_max=True), value=st.integers(0, 255))
+def test_a_wrong_byte_raises_a_file_error_or_yields_a_valid_image(folder, suffix, position, value):
     path = folder / f"wrong{suffix}"
     kind = np.float32 if suffix == ".exr" else np.uint8
     write_pixels(path, sample(20, 20, kind=kind), "axes")
     data = bytearray(path.read_bytes())
-    data[int(place * len(data))] = value
+    data[int(position * len(data))] = value
     path.write_bytes(data)
     try:
-        found, text = read_pixels(path, ImageFileError)
+        pixels, text = read_pixels(path, ImageFileError)
     except ImageFileError as error:
         assert str(path) in str(error)
     else:
-        assert found.dtype == np.float32
-        assert found.ndim == 3
+        assert pixels.dtype == np.float32
+        assert pixels.ndim == 3
         assert isinstance(text, str)
 
 
 @pytest.mark.parametrize("part", [b"axes", b"channels", b"chlist"])
-def test_text_of_a_file_that_is_no_unicode_is_an_error_that_names_it(tmp_path, part):
+def test_text_that_is_not_utf8_is_an_error_that_names_the_file(tmp_path, part):
     path = tmp_path / "a.exr"
     write_pixels(path, sample(kind=np.float32), "axes")
     data = path.read_bytes()
     assert part in data
     path.write_bytes(data.replace(part, b"\xff" * len(part)))
-    complaint(path)
+    error_message(path)
+
+
+def test_a_description_that_is_no_text_is_refused_or_ignored(tmp_path):
+    path = tmp_path / "a.exr"
+    write_pixels(path, sample(kind=np.float32), "axes")
+    data = path.read_bytes()
+    assert data.count(b"comments\x00string\x00") == 1
+    path.write_bytes(data.replace(b"comments\x00string\x00", b"comments\x00custom\x00"))
+    try:
+        _, text = read_pixels(path, ImageFileError)
+    except ImageFileError as error:
+        assert str(path) in str(error)
+    else:
+        assert text == ""
 
 
 @pytest.mark.parametrize("kind", [ImageFileError, LutFileError])
-def test_missing_empty_and_folder_are_named_with_the_error_asked_for(tmp_path, kind):
+def test_unreadable_paths_are_named_by_an_error_of_the_requested_type(tmp_path, kind):
     (tmp_path / "empty.png").touch()
     (tmp_path / "folder.png").mkdir()
-    assert "no such file" in complaint(tmp_path / "missing.png", kind)
-    assert "empty" in complaint(tmp_path / "empty.png", kind)
-    assert "not a file" in complaint(tmp_path / "folder.png", kind)
+    assert "no such file" in error_message(tmp_path / "missing.png", kind)
+    assert "empty" in error_message(tmp_path / "empty.png", kind)
+    assert "not a file" in error_message(tmp_path / "folder.png", kind)
 
 
-# -- places that cannot be written -----------------------------------------------------------------
+# -- paths that cannot be written ------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("place", "reason"),
+    ("name", "reason"),
     [
-        ("missing/a.png", "no folder"),
+        ("missing/a.png", "does not exist"),
         ("folder.png", "is a folder"),
         ("a.dwg", "cannot write"),
         ("a", "cannot write"),
     ],
 )
-def test_a_place_that_cannot_be_written_is_named_and_left_as_it_was(tmp_path, place, reason):
+def test_a_path_that_cannot_be_written_is_named_and_unchanged(tmp_path, name, reason):
     (tmp_path / "folder.png").mkdir()
     with pytest.raises(OutputError, match=reason) as caught:
-        write_pixels(tmp_path / place, sample())
-    assert str(tmp_path / place) in str(caught.value)
+        write_pixels(tmp_path / name, sample())
+    assert str(tmp_path / name) in str(caught.value)
     assert [path.name for path in tmp_path.iterdir()] == ["folder.png"]
 
 
-@pytest.mark.skipif(AS_ROOT, reason="root may write everywhere")
+@pytest.mark.skipif(AS_ROOT, reason="root can write to every folder")
 def test_a_folder_without_permission_is_named(tmp_path):
     tmp_path.chmod(0o500)
     with pytest.raises(OutputError, match="cannot write"):
@@ -184,25 +198,25 @@ def test_a_folder_without_permission_is_named(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "kind", "said"),
+    ("name", "kind", "message"),
     [
         ("a.png", np.float32, "the format holds uint8 or uint16"),
         ("a.exr", np.uint8, "the format holds float32"),
         ("a.exr", np.uint16, "the format holds float32"),
-        ("a.png", np.float64, "uint8, uint16 or float32 is stored"),
-        ("a.exr", np.int64, "uint8, uint16 or float32 is stored"),
+        ("a.png", np.float64, "they must be uint8, uint16 or float32"),
+        ("a.exr", np.int64, "they must be uint8, uint16 or float32"),
     ],
 )
-def test_a_type_that_would_be_converted_is_refused_with_those_that_are_kept(
-    tmp_path, name, kind, said
+def test_a_type_that_the_format_does_not_hold_is_refused_with_those_it_holds(
+    tmp_path, name, kind, message
 ):
-    with pytest.raises(ArgumentError, match=rf"{name}: pixels are {np.dtype(kind)}; {said}"):
+    with pytest.raises(ArgumentError, match=rf"{name}: pixels are {np.dtype(kind)}; {message}"):
         write_pixels(tmp_path / name, np.zeros((2, 2, 3), dtype=kind))
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("shape", [(0, 4, 3), (4, 0, 3), (4, 4, 5)], ids=str)
-def test_what_the_format_cannot_hold_leaves_the_old_file(tmp_path, shape):
+def test_an_image_that_the_format_cannot_hold_keeps_the_old_file(tmp_path, shape):
     target = tmp_path / "a.png"
     write_pixels(target, sample())
     old = target.read_bytes()

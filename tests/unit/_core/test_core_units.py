@@ -17,25 +17,25 @@ def test_a_named_unit_is_its_length_in_mm(name, mm):
 
 
 @given(st.floats(1e-6, 1e9))
-def test_a_number_is_its_own_length(mm):
+def test_a_number_is_a_length_in_mm(mm):
     assert parse_unit_mm(repr(mm)) == mm
     assert checked_unit_mm(mm, "head.obj") == mm
 
 
 @pytest.mark.parametrize("text", ["", "furlong", "10 cm", "0x10"])
-def test_text_that_is_no_unit_is_refused_with_the_choices(text):
+def test_text_that_is_no_unit_is_refused_with_the_known_names(text):
     with pytest.raises(UnitError) as caught:
         parse_unit_mm(text)
     assert all(name in str(caught.value) for name in MM_PER_UNIT)
 
 
 @pytest.mark.parametrize("text", ["0", "-1", "nan", "inf"])
-def test_a_number_that_is_no_length_is_refused(text):
+def test_a_number_that_is_no_plausible_length_is_refused(text):
     with pytest.raises(UnitError, match="positive"):
         parse_unit_mm(text)
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf, "cm", None, [1.0, 2.0]])
-def test_no_length_is_refused_in_the_name_of_its_owner(value):
+def test_a_value_that_is_no_length_is_refused_with_the_callers_name(value):
     with pytest.raises(UnitError, match=r"head\.obj"):
         checked_unit_mm(value, "head.obj")

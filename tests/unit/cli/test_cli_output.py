@@ -1,7 +1,8 @@
-"""What the commands write when nothing is wrong."""
+"""Files and messages of runs without errors."""
 
 from __future__ import annotations
 
+import json
 import re
 import threading
 from collections.abc import Iterator
@@ -12,18 +13,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from test_cli_entry import Ran, contents, run, run_each, write_inputs
+from cli_runs import Run, contents, run, run_all, write_inputs
 
 import shading_tolerances as tol
 import skinshade as sk
 from skinshade.lut.classic import classic_shadow_lut
+from skinshade.params.gloss import gloss_from_roughness
 from skinshade.scene.images import read_image
+from skinshade.sdk import export_shaders
 from skinshade.shading.tonemap import filmic, srgb_from_linear
 
 SIZE = (64, 36)
-BALL = ("--size", "64x36", "--samples", "2", "-o")
-SCENE = ("{in}/good.json", "--seed", "3", "--tone", "filmic", *BALL)
-MODEL = ("{in}/ball.obj", "--unit-mm", "1", *BALL)
+PICTURE = ("--size", "64x36", "--samples", "2", "-o")
+SCENE = ("{in}/good.json", "--seed", "3", "--tone", "filmic", *PICTURE)
+MODEL = ("{in}/ball.obj", "--unit-mm", "1", *PICTURE)
+GLOSS = str(float(gloss_from_roughness(0.3)))
 RENDERS = {
     "one": (*SCENE, "one.png"),
     "again": (*SCENE, "again.png"),
@@ -32,52 +36,64 @@ RENDERS = {
     "compared": (*SCENE, "row.png", "--compare", "lambert,classic,transfer+deep"),
     "lambert": (*SCENE, "lambert.png", "--shading", "lambert"),
     "no sss": (*SCENE, "nosss.png", "--no-sss"),
-    "turning": (*SCENE, "turn.png", "--turntable", "3"),
+    "turntable": (*SCENE, "turn.png", "--turntable", "3"),
     "srgb": (*SCENE, "srgb.png", "--tone", "srgb", "--exposure", "0.5"),
-    "backdrop": (*SCENE, "back.exr", "--background", "0.25,0.5,2"),
+    "background": (*SCENE, "back.exr", "--background", "0.25,0.5,2"),
     "albedo": (*SCENE, "albedo.png", "--debug-view", "albedo"),
+    "rough": (*SCENE, "rough.png", "--roughness", "0.3"),
+    "glossy": (*SCENE, "glossy.png", "--gloss", GLOSS),
+    "front": (*SCENE, "front.png", "--light", "front"),
+    "side": (*SCENE, "side.exr", "--light", "side"),
+    "both lights": (*SCENE, "both.exr", "--light", "side", "--light", "front"),
     "millimetres": (*MODEL, "mm.exr"),
-    "centimetres": ("{in}/small.obj", "--unit-mm", "cm", *BALL, "cm.exr"),
+    "centimetres": ("{in}/small.obj", "--unit-mm", "cm", *PICTURE, "cm.exr"),
     "mapped": (*MODEL, "mapped.png", "--albedo", "{in}/grey.png", "--debug-view", "albedo"),
-    "tiny": ("{in}/tiny.glb", *BALL, "tiny.png"),
+    "tiny": ("{in}/tiny.glb", *PICTURE, "tiny.png"),
 }
 
 
+# -- render ----------------------------------------------------------------------------------------
+
+
 @pytest.fixture(scope="module")
-def pictures(tmp_path_factory) -> tuple[Path, dict[str, Ran]]:
-    """Every request above, drawn into one folder."""
+def pictures(tmp_path_factory) -> tuple[Path, dict[str, Run]]:
+    """The folder of all pictures of RENDERS, and their runs."""
     inputs, folder = tmp_path_factory.mktemp("inputs"), tmp_path_factory.mktemp("pictures")
     write_inputs(inputs)
     shrunk = re.sub(
         r"(?m)^v (\S+) (\S+) (\S+)$",
-        lambda found: "v " + " ".join(f"{float(x) / 10.0:.12g}" for x in found.groups()),
+        lambda match: "v " + " ".join(f"{float(x) / 10.0:.12g}" for x in match.groups()),
         (inputs / "ball.obj").read_text("utf-8"),
     )
     (inputs / "small.obj").write_text(shrunk, encoding="utf-8")
     mesh = sk.load_mesh(inputs / "ball.glb")
     tiny = trimesh.Trimesh(mesh.positions / 100.0, mesh.faces, process=False)
     (inputs / "tiny.glb").write_bytes(tiny.export(file_type="glb"))
-    words = [["render", *(w.replace("{in}", str(inputs)) for w in ws)] for ws in RENDERS.values()]
-    ran = run_each([(folder, each) for each in words])
-    return folder, dict(zip(RENDERS, ran, strict=True))
+    requests = [
+        ["render", *(word.replace("{in}", str(inputs)) for word in words)]
+        for words in RENDERS.values()
+    ]
+    runs = run_all([(folder, words) for words in requests])
+    return folder, dict(zip(RENDERS, runs, strict=True))
 
 
-def steps(file: Path) -> np.ndarray:
+def levels(file: Path) -> np.ndarray:
+    """Return the values 0..255 of a picture."""
     return np.rint(read_image(file).astype(float) * 255.0).astype(int)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", RENDERS)
-def test_a_picture_is_announced_in_one_line_and_nothing_else_is_said(pictures, name):
-    ran = pictures[1][name]
-    assert ran.code == 0, ran.err
-    assert re.fullmatch(r"[\w*-]+\.(png|exr): .*\n", ran.out)
-    assert ran.err == "" or name == "tiny"
-    assert not re.search(r"[\r\x1b━█]", ran.out + ran.err), "no progress where nobody looks"
+def test_a_render_prints_one_line_and_no_progress_into_a_pipe(pictures, name):
+    outcome = pictures[1][name]
+    assert outcome.code == 0, outcome.err
+    assert re.fullmatch(r"[\w*-]+\.(png|exr): .*\n", outcome.out)
+    assert outcome.err == "" or name == "tiny"
+    assert not re.search(r"[\r\x1b━█]", outcome.out + outcome.err)
 
 
 @pytest.mark.slow
-def test_metres_that_make_a_head_of_a_grain_of_sand_are_questioned_and_drawn(pictures):
+def test_an_implausible_size_in_metres_is_a_warning_and_is_drawn(pictures):
     assert re.fullmatch(
         r"skinshade: warning: .*tiny\.glb: .*metres.*unit_mm.*\n", pictures[1]["tiny"].err
     )
@@ -85,34 +101,34 @@ def test_metres_that_make_a_head_of_a_grain_of_sand_are_questioned_and_drawn(pic
 
 
 @pytest.mark.slow
-def test_the_seed_decides_the_picture_to_the_byte(pictures):
+def test_equal_seeds_give_the_same_bytes_and_other_seeds_do_not(pictures):
     one, again, other = ((pictures[0] / f"{n}.png").read_bytes() for n in ("one", "again", "other"))
     assert one == again
     assert one != other
 
 
 @pytest.mark.slow
-def test_exr_holds_the_light_that_png_shows(pictures):
+def test_exr_holds_the_linear_light_of_the_png(pictures):
     linear = read_image(pictures[0] / "one.exr", 4).astype(float)
     assert linear.shape == (SIZE[1], SIZE[0], 4)
     for name, curve in (("one", filmic(linear)), ("srgb", srgb_from_linear(0.5 * linear))):
-        shown = np.rint(np.clip(curve[..., :3], 0.0, 1.0) * 255.0)
-        assert np.abs(steps(pictures[0] / f"{name}.png") - shown).max() <= tol.BYTE_STEP.value
+        truth = np.rint(np.clip(curve[..., :3], 0.0, 1.0) * 255.0)
+        assert np.abs(levels(pictures[0] / f"{name}.png") - truth).max() <= tol.BYTE_STEP.value
     assert linear[0, 0, 3] == 0.0
     assert linear[SIZE[1] // 2, SIZE[0] // 2, 3] == 1.0
 
 
 @pytest.mark.slow
-def test_a_comparison_is_the_pictures_side_by_side(pictures):
-    row = steps(pictures[0] / "row.png")
+def test_a_comparison_is_its_pictures_side_by_side_with_labels(pictures):
+    row = levels(pictures[0] / "row.png")
     assert row.shape == (SIZE[1], 3 * SIZE[0], 3)
     above_the_label = slice(0, SIZE[1] // 2)
     left, right = row[above_the_label, : SIZE[0]], row[above_the_label, 2 * SIZE[0] + 1 :]
-    assert np.array_equal(left, steps(pictures[0] / "lambert.png")[above_the_label])
-    assert np.array_equal(right, steps(pictures[0] / "one.png")[above_the_label, 1:])
+    assert np.array_equal(left, levels(pictures[0] / "lambert.png")[above_the_label])
+    assert np.array_equal(right, levels(pictures[0] / "one.png")[above_the_label, 1:])
     for index in range(3):
         panel = row[-SIZE[1] // 3 :, index * SIZE[0] : (index + 1) * SIZE[0]]
-        assert (panel > 220).all(axis=2).any(), "each has its name below"
+        assert (panel > 220).all(axis=2).any(), "every picture has a label below"
 
 
 @pytest.mark.slow
@@ -123,7 +139,7 @@ def test_no_sss_is_lambert(pictures):
 
 
 @pytest.mark.slow
-def test_a_turntable_is_numbered_files_that_begin_with_the_picture(pictures):
+def test_a_turntable_is_numbered_files_of_which_the_first_is_the_picture(pictures):
     frames = sorted(pictures[0].glob("turn-*.png"))
     assert [frame.name for frame in frames] == ["turn-0.png", "turn-1.png", "turn-2.png"]
     assert not (pictures[0] / "turn.png").exists()
@@ -136,28 +152,51 @@ def test_a_turntable_is_numbered_files_that_begin_with_the_picture(pictures):
     ("name", "linear"),
     [("albedo", (0.48, 0.29, 0.21)), ("mapped", (((128 / 255 + 0.055) / 1.055) ** 2.4,) * 3)],
 )
-def test_the_albedo_view_shows_the_colour_that_was_asked_for(pictures, name, linear):
-    middle = steps(pictures[0] / f"{name}.png")[SIZE[1] // 2, SIZE[0] // 2]
-    assert np.abs(middle - np.rint(255.0 * srgb_from_linear(np.array(linear)))).max() <= 1
+def test_the_albedo_view_shows_the_albedo(pictures, name, linear):
+    middle = levels(pictures[0] / f"{name}.png")[SIZE[1] // 2, SIZE[0] // 2]
+    truth = np.rint(255.0 * srgb_from_linear(np.array(linear)))
+    assert np.abs(middle - truth).max() <= tol.BYTE_STEP.value
 
 
 @pytest.mark.slow
-def test_the_unit_is_all_that_a_model_in_another_unit_needs(pictures):
+def test_roughness_gives_the_picture_of_the_equivalent_gloss(pictures):
+    rough, glossy = ((pictures[0] / f"{n}.png").read_bytes() for n in ("rough", "glossy"))
+    assert rough == glossy
+    assert rough != (pictures[0] / "one.png").read_bytes()
+
+
+@pytest.mark.slow
+def test_lights_of_a_scene_file_are_chosen_by_name(pictures):
+    front, one = ((pictures[0] / f"{n}.png").read_bytes() for n in ("front", "one"))
+    assert front == one, "the file enables the front light only"
+    light = {n: read_image(pictures[0] / f"{n}.exr").astype(float) for n in ("one", "side", "both")}
+    body = read_image(pictures[0] / "one.exr", 4)[..., 3] == 1.0
+    left, right = (body & (np.arange(SIZE[0]) // (SIZE[0] // 2) == half) for half in (0, 1))
+    assert light["side"][right].sum() > 3.0 * light["side"][left].sum(), "it comes from +x"
+    total = light["one"] + light["side"]
+    assert np.allclose(light["both"][body], total[body], rtol=1e-5, atol=1e-6)
+
+
+@pytest.mark.slow
+def test_a_model_in_another_unit_gives_the_same_picture(pictures):
     millimetres, centimetres = (read_image(pictures[0] / f"{n}.exr", 4) for n in ("mm", "cm"))
     assert np.abs(millimetres - centimetres).max() <= tol.OTHER_UNIT.value
 
 
 @pytest.mark.slow
-def test_the_background_is_what_was_asked_for(pictures):
+def test_the_background_has_the_given_radiance(pictures):
     assert read_image(pictures[0] / "back.exr")[0, 0].tolist() == [0.25, 0.5, 2.0]
 
 
 @pytest.mark.slow
-def test_a_scene_in_json_is_drawn_from_its_own_camera(pictures):
+def test_a_scene_file_is_drawn_from_its_own_camera(pictures):
     cover = read_image(pictures[0] / "one.exr", 4)[..., 3]
-    # A ball of 80 mm, 700 mm away, seen in 20° over 36 rows.
+    # A ball of radius 80 mm at 700 mm, in a field of view of 20° over 36 rows.
     radius = 80.0 / np.sqrt(700.0**2 - 80.0**2) / np.tan(np.radians(10.0)) * SIZE[1] / 2.0
     assert cover.sum() == pytest.approx(np.pi * radius**2, rel=tol.COVER.value)
+
+
+# -- lut, profile, shaders, bake -------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -179,37 +218,88 @@ def test_a_scene_in_json_is_drawn_from_its_own_camera(pictures):
     ids=lambda value: " ".join(value) if isinstance(value, tuple) else "",
 )
 @pytest.mark.slow
-def test_a_table_on_disk_is_the_table_of_the_library(tmp_path, words, build):
+def test_a_table_in_a_file_is_the_table_of_the_library(tmp_path, words, build):
     suffixes = (".exr", ".png", ".npz")
-    extra = ["--size", "16x8", "--diffusion-radius-mm", "5.4", "-o"]
-    ran = run_each([(tmp_path, ["lut", *words, *extra, f"table{s}"]) for s in suffixes])
+    options = ["--size", "16x8", "--diffusion-radius-mm", "5.4", "-o"]
+    runs = run_all([(tmp_path, ["lut", *words, *options, f"table{s}"]) for s in suffixes])
     truth = build(sk.Profile.preset("skin-deon2007").scaled(2.0), size=(16, 8))
     span = truth.value_range[1] - truth.value_range[0]
-    for suffix, each in zip(suffixes, ran, strict=True):
-        assert (each.code, each.err) == (0, "")
-        assert "16×8" in each.out
+    for suffix, outcome in zip(suffixes, runs, strict=True):
+        assert (outcome.code, outcome.err) == (0, "")
+        assert "16×8" in outcome.out
         loaded = sk.Lut.load(tmp_path / f"table{suffix}")
         error = np.abs(loaded.values.astype(float) - truth.values).max()
         assert error <= (tol.PNG16_STEP.value * span if suffix == ".png" else 0.0)
         assert (loaded.columns, loaded.rows) == (truth.columns, truth.rows)
 
 
-def test_a_profile_is_shown_and_plotted(tmp_path):
-    ran = run(tmp_path, "profile", "marble", "--scale", "2", "-o", "plot.png")
-    assert ran.code == 0, ran.err
+def test_a_profile_is_printed_and_plotted(tmp_path):
+    outcome = run(tmp_path, "profile", "marble", "--scale", "2", "-o", "plot.png")
+    assert outcome.code == 0, outcome.err
     marble = sk.Profile.preset("marble")
     for line, values in (("albedo", marble.albedo), ("rms radius", 2.0 * marble.rms_radius_mm)):
-        assert line + " " * (12 - len(line)) + "  ".join(f"{v:.4f}" for v in values) in ran.out
-    assert list(ran.after) == ["plot.png"]
+        assert f"{line:<12}" + "  ".join(f"{v:.4f}" for v in values) in outcome.out
+    assert list(outcome.after) == ["plot.png"]
     ink = (read_image(tmp_path / "plot.png") < 0.9).any(axis=2)
     assert ink.shape[1] > ink.shape[0] > 300
     middle = ink.shape[1] // 2
-    assert min(ink[:, :middle].mean(), ink[:, middle:].mean()) > 0.005, "two graphs have lines"
+    assert min(ink[:, :middle].mean(), ink[:, middle:].mean()) > 0.005, "both graphs have curves"
+
+
+@pytest.mark.slow
+def test_an_exported_shader_package_is_that_of_the_library(tmp_path):
+    (tmp_path / "run").mkdir()
+    words = ["--language", "hlsl", "-o", "package", "--scatter-scale", "2"]
+    outcome = run(tmp_path / "run", "shaders", "export", *words)
+    assert (outcome.code, outcome.err) == (0, "")
+    profile, params = sk.Profile.preset("skin-deon2007"), sk.SkinParams(scatter_scale=2.0)
+    paths = export_shaders("hlsl", tmp_path / "truth", profile=profile, params=params)
+    assert outcome.out.startswith(f"package: {len(paths)} files for ")
+    package, truth = contents(tmp_path / "run" / "package"), contents(tmp_path / "truth")
+    assert list(package) == list(truth)
+    for name, content in truth.items():
+        if name.endswith(".exr"):  # its header holds the time of writing
+            pixels = [
+                read_image(at / name) for at in (tmp_path / "run/package", tmp_path / "truth")
+            ]
+            assert np.array_equal(*pixels)
+        else:
+            assert package[name] == content
+
+
+@pytest.mark.slow
+def test_bake_prints_the_range_of_curvature_of_a_model(tmp_path):
+    write_inputs(tmp_path)
+    outcome = run(tmp_path, "bake", "ball.glb", "-o", "baked.glb")
+    assert (outcome.code, outcome.err) == (0, "")
+    assert outcome.out.startswith("baked.glb: mesh ")
+    assert "one unit is 1000 mm, curvature 0.01" in outcome.out
+    baked = sk.load_mesh(tmp_path / "baked.glb").attributes["curvature"]
+    assert np.allclose(baked, 1.0 / 80.0, rtol=0.05)
+
+
+@pytest.mark.slow
+def test_bake_of_several_models_reports_those_that_failed(tmp_path):
+    write_inputs(tmp_path)
+    words = ("bake", "ball.glb", "cut.glb", "-o", "baked", "--report")
+    outcome = run(tmp_path, *words)
+    assert outcome.code == 2
+    failed, *_, summary = outcome.err.splitlines()
+    assert re.fullmatch(r"skinshade: error: .*cut\.glb: .*", failed)
+    assert summary == "skinshade: error: 1 of 2 models failed"
+    assert "Traceback" not in outcome.err
+    report = json.loads((tmp_path / "baked" / "skinshade-bake.json").read_text("utf-8"))
+    assert "cut.glb" in json.dumps(report)
+    assert (tmp_path / "baked" / "ball.glb").is_file()
+    assert (tmp_path / "baked" / "skinshade-bake.html").is_file()
+
+
+# -- assets ----------------------------------------------------------------------------------------
 
 
 @pytest.fixture
 def server(tmp_path, data_dir) -> Iterator[str]:
-    """A server that has the scan under /right/, and something else of that name under /wrong/."""
+    """Address of a server with the scan below /right/, and another file of its name below /wrong/."""
     name = "LeePerrySmith.glb"
     for folder, data in (
         ("right", (data_dir / "lps" / name).read_bytes()),
@@ -230,17 +320,17 @@ def server(tmp_path, data_dir) -> Iterator[str]:
         thread.join()
 
 
-def test_a_scan_is_fetched_and_another_of_its_name_is_refused(tmp_path, server):
-    folder = tmp_path / "kept"
+def test_a_scan_is_fetched_and_a_file_with_another_hash_is_refused(tmp_path, server):
+    folder = tmp_path / "cache"
     folder.mkdir()
     fetch = ("assets", "get", "lee-perry-smith", "--folder", str(folder), "--base-url")
-    wrong, gone, right = (run(folder, *fetch, f"{server}/{n}/") for n in ("wrong", "gone", "right"))
-    assert (wrong.code, gone.code, right.code) == (1, 1, 0)
-    assert "not the file that was promised" in wrong.err
+    wrong, none, right = (run(folder, *fetch, f"{server}/{n}/") for n in ("wrong", "none", "right"))
+    assert (wrong.code, none.code, right.code) == (1, 1, 0)
+    assert "the file has another hash than expected" in wrong.err
     assert wrong.after == {}
-    assert "cannot be fetched" in gone.err
-    assert f"{server}/gone/LeePerrySmith.glb" in gone.err
-    assert gone.after == {}
-    assert "Traceback" not in wrong.err + gone.err + right.err
+    assert "cannot be fetched" in none.err
+    assert f"{server}/none/LeePerrySmith.glb" in none.err
+    assert none.after == {}
+    assert "Traceback" not in wrong.err + none.err + right.err
     assert "CC-BY 3.0" in right.out
     assert contents(folder) == contents(tmp_path / "site" / "right")

@@ -1,10 +1,11 @@
-"""Skin in somebody else's wgpu shader: found by name, refused by name."""
+"""The resources of a skin, bound by name in a user's wgpu shader; wrong declarations are errors."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
+import shading_tolerances as tol
 from gpu_device import adapter_or_skip
 from skinshade._core.errors import ArgumentError, ShaderError
 from skinshade.gpu import SkinContext, wgsl_library
@@ -12,22 +13,23 @@ from skinshade.params import SkinParams
 from skinshade.params.packing import layout
 from skinshade.profile import Profile
 from skinshade.shading.skin import Skin
+from skinshade.shading.tables import BUILT_FOR
 
 GLOBALS = """
 @group(2) @binding(7) var<uniform> skin_block : SkinBlock;
 @binding(1) @group(2) var<uniform> scatter_block : ScatterBlock;
 @group(2) @binding(2) var sphere_lut : texture_2d<f32>;
 @group(3) @binding(0) var lut_sampler : sampler;
-@group(0) @binding(0) var<storage, read_write> found : array<f32>;
+@group(0) @binding(0) var<storage, read_write> results : array<f32>;
 """
 MAIN = """
 @compute @workgroup_size(1) fn main() {
-    found[0] = skin_block.gloss;
-    found[1] = scatter_block.sphere_axes.y;
+    results[0] = skin_block.gloss;
+    results[1] = scatter_block.sphere_axes.y;
     let light = skin_direct_scalar(sphere_lut, lut_sampler, scatter_block.sphere_axes,
         mat3x3<f32>(vec3<f32>(0.0, 0.0, 1.0), vec3<f32>(0.0, 0.0, 1.0), vec3<f32>(0.0, 0.0, 1.0)),
         vec3<f32>(0.6, 0.0, 0.8), 0.05, vec3<f32>(1.0));
-    found[2] = light.x;
+    results[2] = light.x;
 }
 """
 GOOD = wgsl_library() + GLOBALS + MAIN
@@ -46,9 +48,9 @@ def context(skin):
     return SkinContext(open_device(), skin)
 
 
-def test_resources_are_found_wherever_the_shader_wants_them(context):
-    places = {name: (p.group, p.binding) for name, p in context.bind_points(GOOD).items()}
-    assert places == {
+def test_resources_are_bound_at_the_group_and_binding_that_the_shader_declares(context):
+    bindings = {name: (p.group, p.binding) for name, p in context.bind_points(GOOD).items()}
+    assert bindings == {
         "skin_block": (2, 7),
         "scatter_block": (2, 1),
         "sphere_lut": (2, 2),
@@ -58,10 +60,11 @@ def test_resources_are_found_wherever_the_shader_wants_them(context):
 
 
 def run(context, code):
+    """Return the four numbers that a compute shader writes."""
     import wgpu
 
     device, usage = context.device, wgpu.BufferUsage
-    read = device.create_buffer(size=16, usage=usage.STORAGE | usage.COPY_SRC)
+    output = device.create_buffer(size=16, usage=usage.STORAGE | usage.COPY_SRC)
     module = device.create_shader_module(code=code)
     pipeline = device.create_compute_pipeline(
         layout="auto", compute={"module": module, "entry_point": "main"}
@@ -69,7 +72,7 @@ def run(context, code):
     encoder = device.create_command_encoder()
     work = encoder.begin_compute_pass()
     work.set_pipeline(pipeline)
-    own = [{"binding": 0, "resource": {"buffer": read}}]
+    own = [{"binding": 0, "resource": {"buffer": output}}]
     for group, entries in (
         (0, own),
         (1, []),
@@ -81,29 +84,39 @@ def run(context, code):
     work.dispatch_workgroups(1)
     work.end()
     device.queue.submit([encoder.finish()])
-    return np.frombuffer(device.queue.read_buffer(read), dtype=np.float32)
+    return np.frombuffer(device.queue.read_buffer(output), dtype=np.float32)
 
 
 def test_a_users_kernel_reads_block_and_table(context, skin):
-    found = run(context, GOOD)
-    assert found[0] == np.float32(0.25)
-    assert found[1] == np.float32(skin.sphere.axes[1])
-    assert found[2] == pytest.approx(skin.sphere.sample(0.8, 0.05)[0], abs=1e-4)
+    results, sphere = run(context, GOOD), skin.lut("sphere")
+    assert results[0] == np.float32(0.25)
+    assert results[1] == np.float32(sphere.axes[1])
+    expected = sphere.sample(0.8, 0.05)[0]
+    assert results[2] == pytest.approx(expected, abs=tol.GPU_LOOKUP.value)
 
 
-def test_what_is_written_is_what_the_next_draw_reads(context):
+def test_a_table_that_the_skin_was_made_without_is_reported_by_name(context):
+    bare = Skin.of(Profile.preset("skin-deon2007"), SkinParams(), luts=("ring",))
+    with pytest.raises(ArgumentError, match="the skin has no table 'sphere'; make it with luts="):
+        SkinContext(context.device, bare).entries(GOOD, group=2)
+
+
+def test_the_next_draw_reads_the_parameters_that_were_written(context):
     context.write(SkinParams(gloss=0.75))
     assert run(context, GOOD)[0] == np.float32(0.75)
     context.write(SkinParams(gloss=0.25))
+    assert run(context, GOOD)[0] == np.float32(0.25)
 
 
-@pytest.mark.parametrize("name", ["scatter_scale", "shadow_filter_width_mm", "shadow_sharpening"])
-def test_what_the_tables_were_made_for_cannot_change_under_them(context, name):
-    with pytest.raises(ArgumentError, match=f"{name}: the tables were made for"):
+@pytest.mark.parametrize("name", BUILT_FOR)
+def test_a_parameter_that_the_tables_depend_on_cannot_be_written(context, name):
+    with pytest.raises(ArgumentError, match=f"{name} is 2.0, but the tables were built for"):
         context.write(SkinParams(**{name: 2.0}))
+    assert run(context, GOOD)[0] == np.float32(0.25)
 
 
 SKIN_FIELDS = layout()["SkinBlock"]["fields"]
+FIELDS_IN_ORDER = sorted(SKIN_FIELDS, key=lambda name: SKIN_FIELDS[name]["offset"])
 
 
 def mutated(old, new):
@@ -124,7 +137,7 @@ FAULTS = {
         mutated("var<uniform> skin_block", "var<storage, read> skin_block"),
         r"skin_block: is var<storage>; declare it var<uniform>",
     ),
-    "blocks that changed places": (
+    "the struct of the other block": (
         mutated("skin_block : SkinBlock", "skin_block : ScatterBlock"),
         r"skin_block: field 0 of ScatterBlock is albedo vec4<f32>; this version's SkinBlock has",
     ),
@@ -136,43 +149,43 @@ FAULTS = {
         mutated("    gloss : f32,", "    smoothness : f32,"),
         r"of SkinBlock is smoothness f32; this version's SkinBlock has gloss : f32",
     ),
-    "a field too many": (
+    "an additional field": (
         mutated(
             "    classic_deep_scatter_radius_mm : f32,",
             "    classic_deep_scatter_radius_mm : f32, extra : f32,",
         ),
-        r"SkinBlock has a field extra",
+        r"SkinBlock has a field extra that SkinBlock does not have",
     ),
-    "a struct that is not there": (
+    "a struct that is not defined": (
         mutated("skin_block : SkinBlock", "skin_block : SkinBlok"),
-        r"skin_block: is SkinBlok, which is no struct of the shader; paste SkinBlock",
+        r"skin_block: is SkinBlok, which the shader does not define; paste SkinBlock",
     ),
 }
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_a_shader_that_declares_it_otherwise_is_told_what_and_where(context, fault):
-    code, told = FAULTS[fault]
-    with pytest.raises(ShaderError, match=told):
+def test_a_wrong_declaration_is_reported_with_its_name_and_what_to_declare(context, fault):
+    code, message = FAULTS[fault]
+    with pytest.raises(ShaderError, match=message):
         context.bind_points(code)
 
 
-@pytest.mark.parametrize("at", range(len(SKIN_FIELDS)))
-def test_no_field_of_a_block_can_be_missing(context, at):
-    """A block of an older version lacks one."""
-    name = sorted(SKIN_FIELDS, key=lambda each: SKIN_FIELDS[each]["offset"])[at]
+@pytest.mark.parametrize("name", FIELDS_IN_ORDER)
+def test_a_missing_field_of_a_block_is_reported(context, name):
+    """The block of an older version can lack a field."""
     struct_start = GOOD.index("struct SkinBlock")
     struct_end = GOOD.index("};", struct_start)
     struct = GOOD[struct_start:struct_end]
     kept = [line for line in struct.splitlines() if not line.strip().startswith(f"{name} :")]
+    assert len(kept) == len(struct.splitlines()) - 1
     with pytest.raises(ShaderError, match=f"has {name} : "):
         context.bind_points(GOOD.replace(struct, "\n".join(kept) + "\n"))
 
 
-def test_a_shader_without_anything_of_ours_is_told_the_names(context):
+def test_a_shader_without_resources_of_skinshade_is_an_error_that_lists_their_names(context):
     with pytest.raises(ShaderError, match="declares none of skin_block, scatter_block, ring_lut"):
         context.bind_points("@group(0) @binding(0) var mine : sampler;")
     with pytest.raises(
-        ShaderError, match=r"@group\(1\) has nothing of skinshade's; groups \[2, 3\]"
+        ShaderError, match=r"@group\(1\) declares no resource of skinshade; groups \[2, 3\] do"
     ):
         context.entries(GOOD, group=1)

@@ -1,4 +1,4 @@
-"""Adapters in order, and what is said where there is none."""
+"""The order and choice of adapters, the errors of a machine without one, and the times of passes."""
 
 from __future__ import annotations
 
@@ -18,77 +18,76 @@ def adapter(name, kind, backend="Vulkan"):
 
 
 @pytest.fixture
-def machine(monkeypatch):
-    """A machine with the adapters given."""
+def install(monkeypatch):
+    """Function that replaces the adapters of this machine."""
 
-    def has(*found):
+    def replace_adapters(*adapters):
         device.adapters.cache_clear()
-        monkeypatch.setattr(device.wgpu.gpu, "enumerate_adapters_sync", lambda: list(found))
+        monkeypatch.setattr(device.wgpu.gpu, "enumerate_adapters_sync", lambda: list(adapters))
 
-    yield has
+    yield replace_adapters
     device.adapters.cache_clear()
 
 
 SOFTWARE, HARDWARE = adapter("llvmpipe", "CPU"), adapter("A Fast One", "DiscreteGPU")
 
 
-def test_hardware_comes_before_software(machine):
-    machine(SOFTWARE, adapter("small", "IntegratedGPU"), HARDWARE)
-    names = [each.info["device"] for each in device.adapters()]
+def test_hardware_comes_before_software(install):
+    install(SOFTWARE, adapter("small", "IntegratedGPU"), HARDWARE)
+    names = [usable.info["device"] for usable in device.adapters()]
     assert names == ["A Fast One", "small", "llvmpipe"]
     assert device.open_device() == "A Fast One"
 
 
-def test_an_adapter_is_found_by_part_of_its_name_in_any_case(machine):
-    machine(SOFTWARE, HARDWARE)
+def test_an_adapter_is_selected_by_part_of_its_name_in_any_case(install):
+    install(SOFTWARE, HARDWARE)
     assert device.open_device("LLVM") == "llvmpipe"
     with pytest.raises(BackendError, match="'voodoo'; there are A Fast One, llvmpipe"):
         device.open_device("voodoo")
 
 
-def test_without_an_adapter_the_error_says_what_to_install(machine):
-    machine()
+def test_without_an_adapter_the_error_says_what_to_install(install):
+    install()
     with pytest.raises(BackendError, match="no adapter was found; install a GPU driver"):
         device.open_device()
 
 
-def test_software_alone_is_none_where_hardware_is_asked_for(machine):
-    machine(SOFTWARE)
+def test_software_adapters_do_not_count_where_hardware_is_required(install):
+    install(SOFTWARE)
     with pytest.raises(BackendError, match="no adapter was found"):
         device.open_device(software=False)
 
 
-def test_opengl_is_left_out(machine):
-    machine(adapter("old", "DiscreteGPU", "OpenGL"))
+def test_opengl_adapters_are_not_used(install):
+    install(adapter("old", "DiscreteGPU", "OpenGL"))
     assert device.adapters() == []
 
 
-def test_a_loader_that_fails_is_no_adapter(machine, monkeypatch):
+def test_without_a_working_loader_there_are_no_adapters(install, monkeypatch):
     def broken():
         raise RuntimeError("no loader")
 
     device.adapters.cache_clear()
     monkeypatch.setattr(device.wgpu.gpu, "enumerate_adapters_sync", broken)
     assert device.adapters() == []
-    device.adapters.cache_clear()
 
 
-def test_an_adapter_that_refuses_is_named(machine):
-    def refuses(**_):
+def test_an_adapter_that_gives_no_device_is_named(install):
+    def refuse(**_):
         raise RuntimeError("it is busy")
 
     stubborn = adapter("stubborn", "DiscreteGPU")
-    stubborn.request_device_sync = refuses
-    machine(stubborn)
+    stubborn.request_device_sync = refuse
+    install(stubborn)
     with pytest.raises(BackendError, match=r"stubborn: gives no device \(it is busy\)"):
         device.open_device()
 
 
-def test_an_empty_pass_takes_some_time_and_no_second():
+def test_an_empty_pass_takes_less_than_a_second():
     adapter_or_skip()
     opened = device.open_device()
     watch = Stopwatch(opened)
-    if not watch.measures:
+    if not watch.enabled:
         assert watch.around("nothing") == {}
         assert watch.read_ms() == {}
         return
@@ -96,7 +95,7 @@ def test_an_empty_pass_takes_some_time_and_no_second():
     for name in ("one", "two", "one"):
         encoder.begin_compute_pass(**watch.around(name)).end()
     opened.queue.submit([encoder.finish()])
-    found = watch.read_ms()
-    assert {name: len(times) for name, times in found.items()} == {"one": 2, "two": 1}
-    assert all(0.0 <= time_ms < 1000.0 for times in found.values() for time_ms in times)
+    times_ms = watch.read_ms()
+    assert {name: len(times) for name, times in times_ms.items()} == {"one": 2, "two": 1}
+    assert all(0.0 <= time_ms < 1000.0 for times in times_ms.values() for time_ms in times)
     assert watch.read_ms() == {}

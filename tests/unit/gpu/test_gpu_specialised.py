@@ -1,4 +1,7 @@
-"""What a pipeline leaves out costs nothing, by the driver's own count for GPUs that are not there."""
+"""The skin pass costs nothing for what its constants switch off.
+
+The driver for AMD's GPUs compiles the pass for a GPU that is not installed, and counts its instructions.
+"""
 
 from __future__ import annotations
 
@@ -9,48 +12,52 @@ from itertools import pairwise
 
 import pytest
 
-# In a process of its own: the driver must not offer its absent GPU to other tests.
+# A process of its own: the driver must not offer the simulated GPU to other tests.
 COUNT = """
 import json, sys
 from benchmark_scripts import benchmark
+from skinshade._core.generated import generated_text
+from skinshade.gpu.bindings import override_ids
 script = benchmark("gpu_instructions")
 try:
     device = script.AbsentDevice("NAVI21")
 except script.AbsentDriverError as error:
     sys.exit(f"absent: {error}")
-ids = script.override_ids(script.generated_text("skin_pass.wgsl"))
+ids = override_ids(generated_text("skin_pass.wgsl"))
 for changes in json.loads(sys.argv[1]):
-    way = {**script.BASE, "SHADOW_FILTER": 0, **changes}
-    told = device.statistics({int(ids[name]): value for name, value in way.items()})
-    print(json.dumps({name: told[name] for name in ("Instructions", "Inverse Throughput", "VGPRs")}))
+    constants = {**script.BASE, "SHADOW_FILTER": 0, **changes}
+    counts = device.statistics({int(ids[name]): value for name, value in constants.items()})
+    print(json.dumps({name: counts[name] for name in ("Instructions", "Inverse Throughput", "VGPRs")}))
 """
-SAME = {
+SAME_COST = {
     "tiers of a plain surface": [{"SHADING": 0, "TIER": tier} for tier in (0, 1, 2)],
-    "shadows and depth without lights": [
-        {"LIGHTS": 0, "SHADOW_FILTER": 0, "LAMPS": 0},
-        {"LIGHTS": 0, "SHADOW_FILTER": 1, "LAMPS": 1},
+    "shadow filters without lights": [
+        {"LIGHTS": 0, "SHADOW_FILTER": 0, "SPOT_LIGHTS": 0},
+        {"LIGHTS": 0, "SHADOW_FILTER": 1, "SPOT_LIGHTS": 1},
     ],
     "light in a view of the albedo": [
         {"VIEW": 6},
         {"VIEW": 6, "TAPS": 32, "SHADOW_FILTER": 1, "ENVIRONMENT": 0, "TIER": 0},
     ],
 }
-MORE = {
+RISING_COST = {
     "tiers": [{"TIER": tier} for tier in (0, 1, 2)],
     "taps": [{"TAPS": taps} for taps in (0, 8, 32)],
     "fetches of the normal map": [{"FETCHES": fetches} for fetches in (1, 2, 3)],
     "surroundings": [{"ENVIRONMENT": 0}, {"ENVIRONMENT": 1}],
-    "lamps": [{"LAMPS": 0}, {"LAMPS": 1}],
+    "spot lights": [{"SPOT_LIGHTS": 0}, {"SPOT_LIGHTS": 1}],
     "lights": [{"LIGHTS": 0}, {"LIGHTS": 1}],
     "maps": [{"MAPS": 0}, {"MAPS": 15}],
 }
 
 
 @pytest.fixture(scope="module")
-def counted(repository):
-    ways = [way for each in (SAME | MORE).values() for way in each]
+def counts(repository):
+    """Statistics of every variant, by the name of its list."""
+    lists = SAME_COST | RISING_COST
+    variants = [variant for variants in lists.values() for variant in variants]
     done = subprocess.run(
-        [sys.executable, "-c", COUNT, json.dumps(ways)],
+        [sys.executable, "-c", COUNT, json.dumps(variants)],
         cwd=repository / "tests",
         capture_output=True,
         text=True,
@@ -59,15 +66,15 @@ def counted(repository):
         pytest.skip(done.stderr.strip().splitlines()[-1])
     assert done.returncode == 0, done.stderr
     lines = iter(done.stdout.splitlines())
-    return {name: [json.loads(next(lines)) for _ in each] for name, each in (SAME | MORE).items()}
+    return {name: [json.loads(next(lines)) for _ in variants] for name, variants in lists.items()}
 
 
-@pytest.mark.parametrize("name", SAME)
-def test_what_a_way_does_not_use_costs_nothing(counted, name):
-    assert all(a == b for a, b in pairwise(counted[name]))
+@pytest.mark.parametrize("name", SAME_COST)
+def test_constants_that_have_no_effect_cost_nothing(counts, name):
+    assert all(first == second for first, second in pairwise(counts[name]))
 
 
-@pytest.mark.parametrize("name", MORE)
-def test_what_a_way_adds_is_what_it_costs(counted, name):
-    cycles = [each["Inverse Throughput"] for each in counted[name]]
-    assert all(a < b for a, b in pairwise(cycles))
+@pytest.mark.parametrize("name", RISING_COST)
+def test_constants_that_add_work_cost_more(counts, name):
+    cycles = [statistics["Inverse Throughput"] for statistics in counts[name]]
+    assert all(less < more for less, more in pairwise(cycles))

@@ -1,4 +1,4 @@
-"""The curvature table: its texels against adaptive quadrature, its axes, its energy gain."""
+"""The curvature table: texels against adaptive quadrature, axes, energy gain."""
 
 from functools import cache
 
@@ -9,9 +9,10 @@ from scipy.integrate import quad
 
 import tolerances as tol
 from skinshade._core.errors import ArgumentError
-from skinshade.lut import Lut, build_curvature_lut
+from skinshade.lut import DiffusionGeometry, Lut, curvature_lut
 from skinshade.profile import Profile
-from skinshade.profile.energy import energy_gain
+from skinshade.shading.energy import energy_gain
+from skinshade.shading.tables import build_curvature_lut
 
 ROWS = [0, 1, 3, 20, 55, 90, 140, 200, 260, 330, 420, 511]
 COLUMNS = [0, 40, 128, 200, 236, 250, 253, 254, 255, 256, 257, 258, 262, 275, 310, 400, 511]
@@ -19,25 +20,25 @@ COLUMNS = [0, 40, 128, 200, 236, 250, 253, 254, 255, 256, 257, 258, 262, 275, 31
 
 @cache
 def full_table(kernel: str) -> Lut:
-    return build_curvature_lut(Profile.preset("skin-deon2007"), kernel=kernel, energy_gain=False)
+    return curvature_lut(Profile.preset("skin-deon2007"), kernel=kernel)
 
 
 def ring_by_quadrature(theta: float, s: float) -> float:
-    """The lit half-circle seen through a Gaussian that goes round and round the ring."""
+    """Return the integral over the lit half of the ring of a Gaussian wrapped around it."""
 
-    def seen(angle):
+    def integrand(angle):
         turns = 2.0 * np.pi * np.arange(-3, 4)
         lobe = np.exp(-0.5 * ((angle - theta + turns) / s) ** 2).sum() / (s * np.sqrt(2.0 * np.pi))
         return np.cos(angle) * lobe
 
     edge = 0.5 * np.pi
     marks = np.clip([theta - 8.0 * s, theta, theta + 8.0 * s], -edge, edge)
-    return quad(seen, -edge, edge, points=marks, epsabs=1e-9, epsrel=1e-9, limit=200)[0]
+    return quad(integrand, -edge, edge, points=marks, epsabs=1e-9, epsrel=1e-9, limit=200)[0]
 
 
 @cache
 def heat_on_sphere(s: float, reach: float, panels: int) -> tuple[np.ndarray, ...]:
-    """Distances, weights of area and the heat kernel there, by its Legendre series."""
+    """Return distances, their weights of area, and the heat kernel by its Legendre series."""
     order = np.arange(int(9.0 / s) + 8)
     shares = (2 * order + 1) / (4.0 * np.pi) * np.exp(-0.5 * s * s * order * (order + 1.0))
     x, w = np.polynomial.legendre.leggauss(32)
@@ -49,7 +50,7 @@ def heat_on_sphere(s: float, reach: float, panels: int) -> tuple[np.ndarray, ...
 
 
 def sphere_by_quadrature(n_dot_l: np.ndarray, s: float) -> np.ndarray:
-    """The light on circles around each point, averaged exactly, through the heat kernel."""
+    """Return the integral of the heat kernel times exact means of the light over circles."""
     distance, area, kernel = heat_on_sphere(s, min(np.pi, 9.0 * s), 40)
     level = n_dot_l[:, None] * np.cos(distance)
     swing = np.sqrt(1.0 - n_dot_l**2)[:, None] * np.sin(distance)
@@ -59,23 +60,23 @@ def sphere_by_quadrature(n_dot_l: np.ndarray, s: float) -> np.ndarray:
 
 
 def mixed(deon, values_per_lobe):
-    return np.einsum("l...,lc->...c", np.array(values_per_lobe), deon.mixture.weights)
+    return np.einsum("l...,lc->...c", np.array(values_per_lobe), deon.kernel.weights)
 
 
-def test_the_ring_table_is_the_physical_integral(deon):
+def test_the_ring_table_equals_the_physical_integral(deon):
     table = full_table("ring")
     theta = np.arccos(table.columns.centres(512)[COLUMNS])
     for row in ROWS:
-        s = deon.mixture.sigmas_mm * table.rows.centres(512)[row]
+        s = deon.kernel.sigmas_mm * table.rows.centres(512)[row]
         expected = mixed(deon, [[ring_by_quadrature(t, lobe) for t in theta] for lobe in s])
         assert np.abs(table.values[row, COLUMNS] - expected).max() <= tol.LUT_QUADRATURE.value
 
 
-def test_the_sphere_table_is_the_physical_integral(deon):
+def test_the_sphere_table_equals_the_physical_integral(deon):
     table = full_table("sphere")
     n_dot_l = table.columns.centres(512)[COLUMNS]
     for row in ROWS:
-        s = deon.mixture.sigmas_mm * table.rows.centres(512)[row]
+        s = deon.kernel.sigmas_mm * table.rows.centres(512)[row]
         expected = mixed(deon, [sphere_by_quadrature(n_dot_l, lobe) for lobe in s])
         assert np.abs(table.values[row, COLUMNS] - expected).max() <= tol.LUT_QUADRATURE.value
 
@@ -92,7 +93,7 @@ def test_the_default_is_the_sphere_with_energy_gain_from_1_to_100_mm(deon):
 
 
 @pytest.mark.parametrize("kernel", ["sphere", "ring"])
-def test_the_gain_multiplies_each_row(deon, kernel):
+def test_the_energy_gain_multiplies_the_rows(deon, kernel):
     options = {"size": (64, 32), "radius_mm": (2.0, 50.0), "kernel": kernel}
     plain = build_curvature_lut(deon, energy_gain=False, **options)
     gained = build_curvature_lut(deon, energy_gain=True, **options)
@@ -102,23 +103,41 @@ def test_the_gain_multiplies_each_row(deon, kernel):
     assert np.allclose(gained.values, plain.values * gain, rtol=0, atol=tol.FLOAT32.value)
 
 
+def test_a_gain_is_called_with_the_curvature_of_the_rows(deon):
+    plain = curvature_lut(deon, size=(8, 5))
+    gained = curvature_lut(
+        deon, size=(8, 5), gain=lambda curvature: curvature[:, None] * (1.0, 2.0, 3.0)
+    )
+    factors = plain.rows.centres(5)[:, None, None] * (1.0, 2.0, 3.0)
+    assert np.allclose(gained.values, plain.values * factors, rtol=0, atol=tol.FLOAT32.value)
+    assert (plain.provenance["energy_gain"], gained.provenance["energy_gain"]) == (False, True)
+
+
+@pytest.mark.parametrize("kernel", list(DiffusionGeometry))
+def test_a_kernel_is_given_as_a_member_or_as_its_text(deon, kernel):
+    member = curvature_lut(deon, size=(8, 4), kernel=kernel)
+    text = curvature_lut(deon, size=(8, 4), kernel=kernel.value)
+    assert np.array_equal(member.values, text.values)
+    assert member.provenance["kernel"] == text.provenance["kernel"] == kernel.value
+
+
 def test_size_is_width_by_height(deon):
-    assert build_curvature_lut(deon, size=(16, 4)).values.shape == (4, 16, 3)
+    assert curvature_lut(deon, size=(16, 4)).values.shape == (4, 16, 3)
 
 
-def test_more_curved_rows_bleed_farther_into_the_dark(deon):
+def test_dark_columns_are_brighter_in_rows_of_higher_curvature(deon):
     dark = full_table("sphere").values[:, 100]
     assert (np.diff(dark, axis=0) >= -tol.FLOAT32.value).all()
     assert (dark[-1] > dark[0] + 1e-4).all()
 
 
-def test_red_bleeds_farther_than_green_than_blue(deon):
+def test_dark_columns_are_brightest_in_red_and_darkest_in_blue(deon):
     dark = full_table("sphere").values[300, 150]
     assert dark[0] > dark[1] > dark[2] >= 0.0
 
 
-def test_rows_in_the_root_of_curvature_make_32_of_them_enough(deon):
-    coarse = build_curvature_lut(deon, size=(512, 32), energy_gain=False)
+def test_32_rows_interpolate_512_because_they_are_linear_in_the_root(deon):
+    coarse = curvature_lut(deon, size=(512, 32))
     n_dot_l, curvature = np.meshgrid(
         coarse.columns.centres(512), full_table("sphere").rows.centres(512)
     )
@@ -139,9 +158,10 @@ def test_rows_in_the_root_of_curvature_make_32_of_them_enough(deon):
         ({"radius_mm": (2.0, 1.0)}, "needs 0 < least < greatest"),
         ({"radius_mm": (1.0, np.inf)}, r"radius_mm\[1\] is inf"),
         ({"radius_mm": 5.0}, "radius_mm: shape"),
-        ({"kernel": "disk"}, "kernel is 'disk'; it must be sphere or ring"),
+        ({"kernel": "disk"}, "kernel is 'disk'; it must be one of sphere, ring"),
     ],
 )
-def test_a_table_that_cannot_be_is_refused(deon, options, complaint):
+@pytest.mark.parametrize("build", [curvature_lut, build_curvature_lut])
+def test_an_invalid_argument_is_refused(deon, build, options, complaint):
     with pytest.raises(ArgumentError, match=complaint):
-        build_curvature_lut(deon, **({"size": (4, 4)} | options))
+        build(deon, **({"size": (4, 4)} | options))

@@ -10,7 +10,7 @@ from hypothesis.extra import numpy as hnp
 
 import tolerances as tol
 from skinshade._core.errors import ArgumentError, LutFileError, OutputError, SkinshadeError
-from skinshade.lut import Axis, Lut, build_curvature_lut, build_shadow_lut
+from skinshade.lut import Axis, Lut, build_shadow_lut, curvature_lut
 
 AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 SUFFIXES = pytest.mark.parametrize("suffix", [".exr", ".png", ".npz"])
@@ -42,26 +42,26 @@ def half_steps(table):
 @SUFFIXES
 @SAME_FOLDER
 @given(table=tables())
-def test_a_table_comes_back_as_it_was(tmp_path, suffix, table):
+def test_a_saved_table_is_loaded_unchanged(tmp_path, suffix, table):
     table.save(tmp_path / f"table{suffix}")
-    back = Lut.load(tmp_path / f"table{suffix}")
-    assert back.description() == table.description()
-    assert back.values.dtype == np.float32
+    loaded = Lut.load(tmp_path / f"table{suffix}")
+    assert loaded.description() == table.description()
+    assert loaded.values.dtype == np.float32
     if suffix == ".png":
-        assert (np.abs(back.values.astype(float) - table.values) <= half_steps(table)).all()
+        assert (np.abs(loaded.values.astype(float) - table.values) <= half_steps(table)).all()
     else:
-        assert np.array_equal(back.values, table.values)
+        assert np.array_equal(loaded.values, table.values)
 
 
 @SUFFIXES
-@pytest.mark.parametrize("build", [build_curvature_lut, build_shadow_lut])
-def test_a_baked_table_comes_back_with_its_origin(tmp_path, suffix, deon, build):
+@pytest.mark.parametrize("build", [curvature_lut, build_shadow_lut])
+def test_a_built_table_is_loaded_with_its_provenance(tmp_path, suffix, deon, build):
     table = build(deon, size=(32, 16))
     table.save(tmp_path / f"table{suffix}")
-    back = Lut.load(tmp_path / f"table{suffix}")
-    assert back.provenance == table.provenance
-    assert (back.columns, back.rows, back.kind) == (table.columns, table.rows, table.kind)
-    assert (np.abs(back.values.astype(float) - table.values) <= half_steps(table)).all()
+    loaded = Lut.load(tmp_path / f"table{suffix}")
+    assert loaded.provenance == table.provenance
+    assert (loaded.columns, loaded.rows, loaded.kind) == (table.columns, table.rows, table.kind)
+    assert (np.abs(loaded.values.astype(float) - table.values) <= half_steps(table)).all()
 
 
 @pytest.mark.parametrize("suffix", [".EXR", ".PNG", ".NPZ", ".Npz"])
@@ -72,8 +72,8 @@ def test_the_case_of_the_suffix_does_not_matter(tmp_path, deon, suffix):
     assert Lut.load(tmp_path / f"table{suffix}").values.shape == (4, 8, 3)
 
 
-def test_an_exr_is_a_plain_float_image_for_any_other_program(tmp_path, deon):
-    table = build_curvature_lut(deon, size=(8, 4))
+def test_an_exr_is_a_float_image_for_other_programs(tmp_path, deon):
+    table = curvature_lut(deon, size=(8, 4))
     table.save(tmp_path / "table.exr")
     image = oiio.ImageBuf(str(tmp_path / "table.exr"))
     assert image.spec().format == oiio.FLOAT
@@ -82,7 +82,7 @@ def test_an_exr_is_a_plain_float_image_for_any_other_program(tmp_path, deon):
 
 
 def test_a_png_has_16_bits_and_its_range_in_the_metadata(tmp_path, deon):
-    table = build_curvature_lut(deon, size=(8, 4))
+    table = curvature_lut(deon, size=(8, 4))
     table.save(tmp_path / "table.png")
     spec = oiio.ImageBuf(str(tmp_path / "table.png")).spec()
     assert spec.format == oiio.UINT16
@@ -91,7 +91,7 @@ def test_a_png_has_16_bits_and_its_range_in_the_metadata(tmp_path, deon):
     assert np.allclose(record["value_span"], np.ptp(table.values, axis=(0, 1)))
 
 
-def test_a_png_of_one_value_comes_back_exactly(tmp_path):
+def test_a_png_of_one_value_is_loaded_exactly(tmp_path):
     axis = Axis("a", "1", 0.0, 1.0)
     Lut(np.full((2, 2, 3), 0.3, np.float32), "shadow", axis, axis).save(tmp_path / "flat.png")
     assert np.array_equal(
@@ -108,7 +108,7 @@ def test_a_png_of_one_value_comes_back_exactly(tmp_path):
     [None, b"", b"a table of skin\n" * 20, bytes(range(256)) * 4],
     ids=["missing", "empty", "text", "noise"],
 )
-def test_what_is_no_table_is_refused_by_name(tmp_path, suffix, content):
+def test_a_file_that_is_no_table_is_refused_by_name(tmp_path, suffix, content):
     file = tmp_path / f"table{suffix}"
     if content is not None:
         file.write_bytes(content)
@@ -125,7 +125,7 @@ def test_a_folder_is_refused(tmp_path):
 @SUFFIXES
 def test_a_truncated_table_is_refused(tmp_path, suffix, deon):
     file = tmp_path / f"table{suffix}"
-    build_curvature_lut(deon, size=(64, 32)).save(file)
+    curvature_lut(deon, size=(64, 32)).save(file)
     whole = file.read_bytes()
     for share in (0.02, 0.4, 0.9):
         file.write_bytes(whole[: int(len(whole) * share)])
@@ -137,7 +137,7 @@ def test_a_truncated_table_is_refused(tmp_path, suffix, deon):
 @SUFFIXES
 @settings(SAME_FOLDER, max_examples=80)
 @given(data=st.data())
-def test_a_table_with_wrong_bytes_raises_nothing_of_its_readers(tmp_path, suffix, deon, data):
+def test_wrong_bytes_raise_only_errors_of_skinshade(tmp_path, suffix, deon, data):
     file = tmp_path / f"table{suffix}"
     if not file.exists():
         build_shadow_lut(deon, size=(8, 8)).save(file)
@@ -154,12 +154,14 @@ def test_a_table_with_wrong_bytes_raises_nothing_of_its_readers(tmp_path, suffix
 
 
 @pytest.mark.parametrize("suffix", [".exr", ".png"])
-def test_a_picture_without_a_description_is_no_table(tmp_path, suffix):
-    file = tmp_path / f"picture{suffix}"
+def test_an_image_without_a_description_is_refused(tmp_path, suffix):
+    file = tmp_path / f"image{suffix}"
     spec = oiio.ImageSpec(4, 4, 3, "uint16" if suffix == ".png" else "float")
-    picture = oiio.ImageBuf(spec)
-    assert picture.write(str(file))
-    with pytest.raises(LutFileError, match="carries no description of its axes"):
+    image = oiio.ImageBuf(spec)
+    assert image.write(str(file))
+    with pytest.raises(
+        LutFileError, match="has no description of its axes; it is not a table of skinshade"
+    ):
         Lut.load(file)
 
 
@@ -192,7 +194,7 @@ PLAIN = np.zeros((2, 2, 3), np.float32)
         GOOD | {"value_low": [0.0, 0.0], "value_span": [1.0]},
     ],
 )
-def test_a_misstated_description_is_refused(tmp_path, description):
+def test_a_wrong_description_is_refused(tmp_path, description):
     file = npz(tmp_path / "a.npz", values=PLAIN, description=json.dumps(description))
     with pytest.raises(LutFileError) as caught:
         Lut.load(file)
@@ -209,18 +211,18 @@ def test_a_misstated_description_is_refused(tmp_path, description):
     ],
     ids=["two axes", "four channels", "nan", "text"],
 )
-def test_values_that_are_no_table_are_refused(tmp_path, values):
+def test_values_of_a_wrong_shape_or_type_are_refused(tmp_path, values):
     file = npz(tmp_path / "a.npz", values=values, description=json.dumps(GOOD))
     with pytest.raises(LutFileError):
         Lut.load(file)
 
 
-def test_an_archive_of_something_else_is_refused(tmp_path):
-    with pytest.raises(LutFileError, match="not a table saved by skinshade"):
+def test_an_archive_without_a_table_is_refused(tmp_path):
+    with pytest.raises(LutFileError, match="not a table of skinshade"):
         Lut.load(npz(tmp_path / "a.npz", weights=np.zeros(3)))
 
 
-def test_a_bare_array_under_the_name_of_an_archive_is_refused(tmp_path):
+def test_an_npy_file_with_the_suffix_npz_is_refused(tmp_path):
     np.save(tmp_path / "a.npy", PLAIN)
     (tmp_path / "a.npy").rename(tmp_path / "a.npz")
     with pytest.raises(LutFileError):
@@ -228,17 +230,17 @@ def test_a_bare_array_under_the_name_of_an_archive_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["table.tif", "table", "table.npz.gz", "table.jpg"])
-def test_another_suffix_is_refused_with_the_choices(tmp_path, deon, name):
+def test_an_unknown_suffix_is_refused_with_the_choices(tmp_path, deon, name):
     with pytest.raises(ArgumentError, match=r"\.exr, \.png or \.npz"):
         build_shadow_lut(deon, size=(4, 4)).save(tmp_path / name)
     assert list(tmp_path.iterdir()) == []
 
 
 @SUFFIXES
-@pytest.mark.parametrize("place", ["missing", "file"])
-def test_a_place_that_cannot_be_written_is_named(tmp_path, deon, suffix, place):
+@pytest.mark.parametrize("folder", ["missing", "file"])
+def test_a_path_that_cannot_be_written_is_named(tmp_path, deon, suffix, folder):
     (tmp_path / "file").write_bytes(b"x")
-    target = tmp_path / place / f"table{suffix}"
+    target = tmp_path / folder / f"table{suffix}"
     with pytest.raises(OutputError) as caught:
         build_shadow_lut(deon, size=(4, 4)).save(target)
     assert str(target) in str(caught.value)
@@ -246,18 +248,16 @@ def test_a_place_that_cannot_be_written_is_named(tmp_path, deon, suffix, place):
 
 
 @SUFFIXES
-@pytest.mark.skipif(AS_ROOT, reason="root may write everywhere")
-def test_a_folder_without_permission_stays_empty(tmp_path, deon, suffix):
+@pytest.mark.skipif(AS_ROOT, reason="root can write to every folder")
+def test_a_folder_without_permission_remains_empty(tmp_path, deon, suffix):
     tmp_path.chmod(0o500)
-    with pytest.raises(OutputError, match="cannot write here"):
+    with pytest.raises(OutputError, match="cannot write to its folder"):
         build_shadow_lut(deon, size=(4, 4)).save(tmp_path / f"table{suffix}")
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("suffix", [".exr", ".png"])
-def test_a_write_that_fails_halfway_names_the_file_and_keeps_the_old_one(
-    tmp_path, deon, suffix, monkeypatch
-):
+def test_a_failed_write_names_the_file_and_keeps_the_old_one(tmp_path, deon, suffix, monkeypatch):
     target = tmp_path / f"table{suffix}"
     target.write_bytes(b"old")
 

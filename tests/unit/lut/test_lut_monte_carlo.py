@@ -1,11 +1,11 @@
-"""Light on whole spheres, against a random walk in the same medium."""
+"""Light on whole spheres against a random walk in the same medium."""
 
 import numpy as np
 import pytest
 
 import tolerances as tol
 from skinshade.lut.spectral import diffuse_grid
-from skinshade.profile.energy import energy_gain
+from skinshade.shading.energy import energy_gain
 
 MODE = "matched_lambertentry"
 
@@ -17,7 +17,7 @@ def walk(data_dir):
 
 
 def averaged_over_bins(edges, light):
-    """Means over each bin of cosθ of light(n_dot_l) -> (n, 3)."""
+    """Return means over bins of cosθ of a function from N·L (n,) to light (n, 3)."""
     x, w = np.polynomial.legendre.leggauss(8)
     half = 0.5 * np.diff(edges)[:, None]
     values = light((edges[:-1, None] + half * (x + 1.0)).ravel())
@@ -25,7 +25,7 @@ def averaged_over_bins(edges, light):
 
 
 def models(measured, edges, radius_mm):
-    """Light of each model in units of E0, albedo left out."""
+    """Return the light of the models by name, in units of E0, without the albedo."""
     curvature = np.array([1.0 / radius_mm])
     gain = energy_gain(measured.albedo, measured.rms_radius_mm, curvature)
 
@@ -51,7 +51,7 @@ def rms_per_channel(measured, walk, radius_mm):
         (20.0, tol.MC_SPHERE_20MM, tol.MC_SPHERE_20MM_POOLED),
     ],
 )
-def test_the_sphere_with_gain_is_the_random_walk(measured, walk, radius_mm, mean, pooled):
+def test_the_sphere_with_gain_agrees_with_the_random_walk(measured, walk, radius_mm, mean, pooled):
     rms = rms_per_channel(measured, walk, radius_mm)["sphere·gain"]
     assert rms.mean() <= mean.value
     assert np.sqrt(np.mean(rms**2)) <= pooled.value
@@ -59,13 +59,13 @@ def test_the_sphere_with_gain_is_the_random_walk(measured, walk, radius_mm, mean
 
 @pytest.mark.parametrize("radius_mm", [5.0, 20.0])
 @pytest.mark.parametrize("model", ["lambert", "ring", "sphere"])
-def test_every_model_without_gain_is_far_worse(measured, walk, radius_mm, model):
+def test_the_error_without_gain_is_several_times_larger(measured, walk, radius_mm, model):
     rms = rms_per_channel(measured, walk, radius_mm)
     assert rms[model].mean() >= tol.GAIN_GAP.value * rms["sphere·gain"].mean()
 
 
 @pytest.mark.parametrize("radius_mm", [5.0, 20.0])
-def test_the_gain_is_what_the_sphere_returns_beyond_the_plane(measured, walk, radius_mm):
+def test_the_gain_is_the_ratio_of_sphere_to_plane(measured, walk, radius_mm):
     index = int(np.flatnonzero(walk["radii_mm"] == radius_mm)[0])
     returned = walk[f"radiosity_{MODE}"][index].mean(axis=1) / 0.25
     gain = energy_gain(measured.albedo, measured.rms_radius_mm, np.array([1.0 / radius_mm]))

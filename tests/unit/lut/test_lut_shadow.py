@@ -1,4 +1,4 @@
-"""The shadow table: its texels against quadrature, its ends, its inverse smoothstep."""
+"""The shadow table: texels against quadrature, ends of the rows, the inverse smoothstep."""
 
 from functools import cache
 
@@ -25,14 +25,14 @@ def smoothstep(p):
 
 
 def blurred_by_quadrature(p: float, s: float) -> float:
-    """smoothstep ⊗ Gaussian, over 9 σ with the kinks and the centre as break points."""
+    """Return smoothstep ⊗ Gaussian, over ±9 σ with the kinks and the centre as break points."""
 
-    def seen(t):
+    def integrand(t):
         return smoothstep(t) * np.exp(-0.5 * ((t - p) / s) ** 2) / (s * np.sqrt(2.0 * np.pi))
 
     low, high = p - 9.0 * s, p + 9.0 * s
     marks = [m for m in (0.0, 1.0, p) if low < m < high]
-    return quad(seen, low, high, points=marks, epsabs=1e-10, epsrel=1e-10, limit=200)[0]
+    return quad(integrand, low, high, points=marks, epsabs=1e-10, epsrel=1e-10, limit=200)[0]
 
 
 @cache
@@ -40,21 +40,21 @@ def full_table() -> Lut:
     return build_shadow_lut(Profile.preset("skin-deon2007"), sharpening=SHARPENING)
 
 
-def test_the_table_is_the_pinned_integral(deon):
+def test_the_table_equals_the_integral_scaled_to_0_and_1_at_its_ends(deon):
     table = full_table()
     u = np.concatenate([table.columns.centres(512)[COLUMNS], [0.0, 1.0]])
-    # An independent inverse of the smoothstep: a root of 3p² − 2p³ − u between 0 and 1.
-    p = np.array([brent_inverse(x) for x in u])
+    p = np.array([inverse_by_bisection(x) for x in u])
     p = (p - 0.5) * SHARPENING + 0.5
     for row in ROWS:
-        s = deon.mixture.sigmas_mm * SHARPENING * table.rows.centres(512)[row]
+        s = deon.kernel.sigmas_mm * SHARPENING * table.rows.centres(512)[row]
         lobes = np.array([[blurred_by_quadrature(x, width) for x in p] for width in s])
-        light = np.einsum("lu,lc->uc", lobes, deon.mixture.weights)
-        pinned = (light[:-2] - light[-2]) / (light[-1] - light[-2])
-        assert np.abs(table.values[row, COLUMNS] - pinned).max() <= tol.LUT_QUADRATURE.value
+        light = np.einsum("lu,lc->uc", lobes, deon.kernel.weights)
+        expected = (light[:-2] - light[-2]) / (light[-1] - light[-2])
+        assert np.abs(table.values[row, COLUMNS] - expected).max() <= tol.LUT_QUADRATURE.value
 
 
-def brent_inverse(u: float) -> float:
+def inverse_by_bisection(u: float) -> float:
+    """Return the root of 3p² − 2p³ − u between 0 and 1."""
     low, high = 0.0, 1.0
     for _ in range(60):
         middle = 0.5 * (low + high)
@@ -63,27 +63,27 @@ def brent_inverse(u: float) -> float:
 
 
 @given(st.floats(0.0, 1.0))
-def test_the_inverse_of_the_smoothstep_is_exact(u):
+def test_the_inverse_smoothstep_is_exact(u):
     p = inverse_smoothstep(np.array(u))
     assert 0.0 <= p <= 1.0
     assert smoothstep(p) == pytest.approx(u, abs=tol.ROUNDING.value)
 
 
 @given(st.floats(-3.0, 4.0), st.floats(0.01, 5.0))
-def test_the_blurred_smoothstep_is_odd_about_its_middle(p, s):
+def test_the_blurred_smoothstep_is_odd_about_its_centre(p, s):
     values = diffused_smoothstep(np.array([p, 1.0 - p]), np.array(s))
     assert values.sum() == pytest.approx(1.0, abs=tol.ROUNDING_SUMS.value * max(1.0, s**3))
 
 
 @given(st.floats(-2.0, 3.0))
-def test_a_narrow_blur_leaves_the_smoothstep(p):
-    # The second derivative is at most 6, so a blur of width s moves it by 3s².
+def test_a_narrow_blur_changes_the_smoothstep_by_less_than_3_s2(p):
+    # The second derivative is at most 6: a blur of width s changes the value by at most 3s².
     value = diffused_smoothstep(np.array(p), np.array(1e-4))
     assert value == pytest.approx(smoothstep(p), abs=3.1e-8)
 
 
 @given(st.floats(0.02, 4.0), st.floats(-6.0, 7.0), st.floats(1e-3, 1.0))
-def test_a_blurred_smoothstep_rises(s, p, step):
+def test_a_blurred_smoothstep_increases(s, p, step):
     low, high = diffused_smoothstep(np.array([p, p + step]), np.array(s))
     assert high - low >= -tol.ROUNDING_SUMS.value
 
@@ -96,45 +96,45 @@ def skins(draw):
 
 
 @given(skins(), st.floats(1.0, 100.0), st.floats(0.5, 20.0))
-def test_rows_rise_from_dark_to_light_and_are_pinned_at_both_ends(profile, sharpening, least):
+def test_rows_increase_from_0_to_1(profile, sharpening, least):
     table = build_shadow_lut(
         profile, size=(1024, 4), width_mm=(least, least * 10.0), sharpening=sharpening
     )
     assert table.values.min() >= 0.0
     assert table.values.max() <= 1.0
     assert (np.diff(table.values, axis=1) >= -tol.FLOAT32.value).all()
-    # One step of the line through the first two texels brings it to the pinned value, or nearer.
+    # The line through the first two texels reaches 0 within one texel, that of the last two 1.
     first, last = table.values[:, 0], table.values[:, -1]
     assert (first <= np.diff(table.values[:, :2], axis=1)[:, 0] + tol.PINNED_END.value).all()
     assert (1.0 - last <= np.diff(table.values[:, -2:], axis=1)[:, 0] + tol.PINNED_END.value).all()
 
 
 @given(skins())
-def test_half_shadow_stays_half(profile):
+def test_a_filter_value_of_one_half_stays_one_half(profile):
     table = build_shadow_lut(profile, size=(9, 3))
     assert np.allclose(table.values[:, 4], 0.5, atol=tol.FLOAT32.value)
     mirrored = 1.0 - table.values[:, ::-1]
     assert np.allclose(table.values, mirrored, rtol=0, atol=2.0 * tol.FLOAT32.value)
 
 
-def test_wider_filters_see_a_sharper_shadow():
+def test_the_shadow_is_sharper_in_rows_of_greater_width():
     quarter = full_table().values[:, 140]
     assert (np.diff(quarter, axis=0) >= -tol.FLOAT32.value).all()
     assert (quarter[-1] > quarter[0]).all()
 
 
-def test_red_bleeds_farther_into_the_shadow():
+def test_the_dark_side_is_brightest_in_red_and_darkest_in_blue():
     texel = full_table().values[500, 150]
     assert texel[0] > texel[1] > texel[2]
 
 
-def test_scaling_the_skin_is_scaling_the_widths(deon):
+def test_scaling_the_profile_equals_scaling_the_widths(deon):
     one = build_shadow_lut(deon, size=(32, 8), width_mm=(8.0, 100.0))
     other = build_shadow_lut(deon.scaled(2.0), size=(32, 8), width_mm=(16.0, 200.0))
     assert np.allclose(one.values, other.values, rtol=0, atol=tol.FLOAT32.value)
 
 
-def test_the_axes_are_those_of_the_talk():
+def test_the_axes_are_the_filter_and_the_inverse_width():
     table = full_table()
     assert table.kind == "shadow"
     assert (table.columns.low, table.columns.high) == (0.0, 1.0)
@@ -155,6 +155,6 @@ def test_the_axes_are_those_of_the_talk():
         ({"sharpening": (1.0, 2.0)}, "sharpening: shape"),
     ],
 )
-def test_a_table_that_cannot_be_is_refused(deon, options, complaint):
+def test_an_invalid_argument_is_refused(deon, options, complaint):
     with pytest.raises(ArgumentError, match=complaint):
         build_shadow_lut(deon, **({"size": (4, 4)} | options))

@@ -1,4 +1,4 @@
-"""Diffuse light on spheres and cylinders: long series, quadrature, and what is conserved."""
+"""Diffuse light on spheres and cylinders: long series, quadrature, conservation of energy."""
 
 from functools import cache
 
@@ -30,7 +30,7 @@ PROFILES = {
 
 @cache
 def zonal_share(terms: int) -> np.ndarray:
-    """a_l = (2l+1)/2 ∫₀¹ x P_l(x) dx, from ∫₀¹ P_n = (P_{n−1}(0) − P_{n+1}(0))/(2n+1)."""
+    """Return a_l = (2l+1)/2 ∫₀¹ x P_l(x) dx, by ∫₀¹ P_n = (P_{n−1}(0) − P_{n+1}(0))/(2n+1)."""
     at_zero = eval_legendre(np.arange(terms + 2), 0.0)
     n = np.arange(1, terms + 1)
     integral = np.concatenate([[1.0], (at_zero[:-2] - at_zero[2:]) / (2 * n + 1)])
@@ -57,7 +57,7 @@ def ring_by_series(profile, n_dot_l, curvature):
 
 
 def panels(reach: float) -> tuple[np.ndarray, np.ndarray]:
-    """Gauss-Legendre over −reach..reach, refined at the terminator in the middle."""
+    """Return Gauss-Legendre nodes and weights over −reach..reach, denser at the terminator at 0."""
     x, w = np.polynomial.legendre.leggauss(40)
     edges = np.concatenate([[0.0], np.geomspace(1e-4, 1.0, 12)]) * reach
     edges = np.concatenate([-edges[:0:-1], edges])
@@ -67,7 +67,7 @@ def panels(reach: float) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("profile", PROFILES.values(), ids=PROFILES)
 @KERNELS
-def test_the_grid_is_the_long_series(profile, kernel):
+def test_the_grid_equals_the_long_series(profile, kernel):
     reference = {"sphere": sphere_by_series, "ring": ring_by_series}[kernel]
     expected = reference(profile, N_DOT_L, 1.0 / RADII_MM)
     error = np.abs(diffuse_grid(profile, N_DOT_L, 1.0 / RADII_MM, kernel) - expected).max()
@@ -76,7 +76,7 @@ def test_the_grid_is_the_long_series(profile, kernel):
 
 
 @KERNELS
-def test_the_grid_of_measured_light_is_the_long_series(measured, kernel):
+def test_the_grid_of_a_measured_profile_equals_the_long_series(measured, kernel):
     reference = {"sphere": sphere_by_series, "ring": ring_by_series}[kernel]
     expected = reference(measured, N_DOT_L, 1.0 / RADII_MM)
     error = np.abs(diffuse_grid(measured, N_DOT_L, 1.0 / RADII_MM, kernel) - expected).max()
@@ -85,8 +85,8 @@ def test_the_grid_of_measured_light_is_the_long_series(measured, kernel):
 
 @pytest.mark.parametrize("sigma", [0.15, 0.4, 1.0])
 @pytest.mark.parametrize("theta", [0.0, 0.7, 1.5, 1.7, 2.6, np.pi])
-def test_the_sphere_is_light_convolved_with_the_heat_kernel(sigma, theta):
-    # Over the whole sphere around the point: kernel(γ) times the light met at distance γ.
+def test_the_sphere_equals_light_convolved_with_the_heat_kernel(sigma, theta):
+    # The integral over the sphere of kernel(γ) times the mean light at distance γ from the point.
     order = np.arange(int(9.0 / sigma) + 8)
     shares = (2 * order + 1) / (4 * np.pi) * np.exp(-0.5 * sigma**2 * order * (order + 1.0))
     x, w = np.polynomial.legendre.leggauss(60)
@@ -110,14 +110,14 @@ def test_the_sphere_is_light_convolved_with_the_heat_kernel(sigma, theta):
 
 
 @pytest.mark.parametrize("profile", PROFILES.values(), ids=PROFILES)
-def test_the_sphere_keeps_the_light_it_receives(profile):
+def test_the_sphere_conserves_energy(profile):
     x, w = panels(1.0)
     mean = 0.5 * np.einsum("mnc,n->mc", diffuse_grid(profile, x, 1.0 / RADII_MM, "sphere"), w)
     assert np.abs(mean - 0.25).max() <= tol.SPHERE_MEAN.value
 
 
 @pytest.mark.parametrize("profile", PROFILES.values(), ids=PROFILES)
-def test_the_ring_keeps_the_light_it_receives_around_it(profile):
+def test_the_ring_conserves_energy(profile):
     x, w = panels(np.pi / 2)
     mean = (
         np.einsum("mnc,n->mc", diffuse_grid(profile, np.sin(x), 1.0 / RADII_MM, "ring"), w) / np.pi
@@ -125,7 +125,7 @@ def test_the_ring_keeps_the_light_it_receives_around_it(profile):
     assert np.abs(mean - 1.0 / np.pi).max() <= tol.RING_MEAN.value
 
 
-def test_measured_light_is_kept_on_the_sphere(measured):
+def test_the_sphere_conserves_energy_with_a_measured_profile(measured):
     x, w = panels(1.0)
     mean = 0.5 * np.einsum("mnc,n->mc", diffuse_grid(measured, x, 1.0 / RADII_MM, "sphere"), w)
     assert np.abs(mean - 0.25).max() <= tol.SPHERE_MEAN.value
@@ -140,8 +140,8 @@ def test_a_flat_surface_is_lambertian(profile, kernel):
 
 
 @pytest.mark.parametrize(("kernel", "level"), [("sphere", 0.25), ("ring", 1.0 / np.pi)])
-def test_a_speck_is_lit_alike_all_around(deon, kernel, level):
-    value = diffuse_grid(deon, N_DOT_L, np.array([100.0 / deon.mixture.sigmas_mm[0]]), kernel)
+def test_light_on_a_tiny_body_is_uniform(deon, kernel, level):
+    value = diffuse_grid(deon, N_DOT_L, np.array([100.0 / deon.kernel.sigmas_mm[0]]), kernel)
     assert np.abs(value - level).max() <= tol.ROUND_LIMIT.value
 
 
@@ -151,7 +151,7 @@ def test_a_speck_is_lit_alike_all_around(deon, kernel, level):
     radius=st.floats(0.5, 200.0),
     factor=st.floats(0.1, 10.0),
 )
-def test_scaling_the_profile_is_scaling_the_radius(kernel, variances, radius, factor):
+def test_scaling_the_profile_equals_scaling_the_radius(kernel, variances, radius, factor):
     weights = np.ones((len(variances), 3))
     profile = Profile.gaussians(variances_mm2=variances, weights=weights, albedo=0.5)
     one = diffuse_grid(profile, N_DOT_L, np.array([1.0 / radius]), kernel)
@@ -165,7 +165,7 @@ def test_scaling_the_profile_is_scaling_the_radius(kernel, variances, radius, fa
 @given(
     variances=st.lists(st.floats(1e-4, 20.0), min_size=1, max_size=4), radius=st.floats(0.3, 300.0)
 )
-def test_light_falls_from_the_lit_pole_to_the_dark_one(kernel, variances, radius):
+def test_light_decreases_from_the_lit_pole_to_the_dark_pole(kernel, variances, radius):
     weights = np.ones((len(variances), 3))
     profile = Profile.gaussians(variances_mm2=variances, weights=weights, albedo=0.5)
     value = diffuse_grid(profile, N_DOT_L, np.array([1.0 / radius]), kernel)[0]
@@ -175,8 +175,8 @@ def test_light_falls_from_the_lit_pole_to_the_dark_one(kernel, variances, radius
 
 
 @KERNELS
-def test_lit_and_dark_halves_differ_by_the_first_harmonic_alone(deon, kernel):
-    # max(0, x) − max(0, −x) = x: the odd part is cosθ, decayed by T at its own frequency.
+def test_the_odd_part_of_the_light_is_the_decayed_first_harmonic(deon, kernel):
+    # max(0, x) − max(0, −x) = x: the odd part is cosθ, multiplied by T at its frequency.
     value = diffuse_grid(deon, N_DOT_L, 1.0 / RADII_MM, kernel)
     mirrored = diffuse_grid(deon, -N_DOT_L, 1.0 / RADII_MM, kernel)
     frequency = np.sqrt(2.0) if kernel == "sphere" else 1.0

@@ -30,7 +30,7 @@ def tables(draw):
 
 
 @given(axes(), st.integers(1, 64))
-def test_the_centres_stand_half_a_texel_from_the_edges(axis, count):
+def test_texel_centres_are_half_a_texel_from_the_edges(axis, count):
     assert np.allclose(
         axis.coordinate(axis.centres(count)),
         (np.arange(count) + 0.5) / count,
@@ -40,15 +40,15 @@ def test_the_centres_stand_half_a_texel_from_the_edges(axis, count):
 
 
 @given(axes(), st.floats(0.0, 1.0))
-def test_a_coordinate_leads_back_to_its_value(axis, share):
+def test_a_coordinate_is_inverted_by_the_spacing(axis, share):
     value = axis.low + share * (axis.high - axis.low)
-    at = axis.coordinate(np.array(value))
+    coordinate = axis.coordinate(np.array(value))
     if axis.spacing == "linear":
-        back = axis.low + at * (axis.high - axis.low)
+        recovered = axis.low + coordinate * (axis.high - axis.low)
     else:
-        root = np.sqrt(axis.low) + at * (np.sqrt(axis.high) - np.sqrt(axis.low))
-        back = root**2
-    assert back == pytest.approx(value, abs=tol.ROUNDING_SUMS.value)
+        root = np.sqrt(axis.low) + coordinate * (np.sqrt(axis.high) - np.sqrt(axis.low))
+        recovered = root**2
+    assert recovered == pytest.approx(value, abs=tol.ROUNDING_SUMS.value)
 
 
 @given(axes(), st.floats(0.0, 1e3))
@@ -58,14 +58,14 @@ def test_coordinates_are_clamped_to_the_table(axis, beyond):
 
 
 @given(tables())
-def test_a_texels_centre_gives_the_texel(table):
+def test_a_sample_at_a_texel_centre_is_the_texel(table):
     height, width, _ = table.values.shape
     column, row = np.meshgrid(table.columns.centres(width), table.rows.centres(height))
     assert np.allclose(table.sample(column, row), table.values, rtol=0, atol=tol.SAMPLE.value)
 
 
 @given(tables())
-def test_the_middle_of_four_texels_is_their_mean(table):
+def test_a_sample_between_four_texels_is_their_mean(table):
     height, width, _ = table.values.shape
     u, v = np.meshgrid(np.arange(1, width) / width, np.arange(1, height) / height)
     t = table.values.astype(float)
@@ -74,7 +74,7 @@ def test_the_middle_of_four_texels_is_their_mean(table):
 
 
 @given(tables(), st.floats(-100.0, 100.0), st.floats(-100.0, 100.0))
-def test_beyond_the_edge_the_edge_goes_on(table, column, row):
+def test_samples_outside_the_table_are_those_of_its_edge(table, column, row):
     height, width, _ = table.values.shape
     x = table.columns.centres(width)
     y = table.rows.centres(height)
@@ -93,7 +93,7 @@ def test_a_sample_lies_between_the_least_and_the_greatest_value(table, column, r
 
 
 @given(tables(), hnp.arrays(np.float64, (4, 3), elements=st.floats(0.0, 1.0)), st.floats(0.0, 1.0))
-def test_each_channel_may_look_in_a_column_of_its_own(table, u, v):
+def test_channels_can_be_sampled_at_separate_columns(table, u, v):
     mixed = table.sample_channels(u, np.full(4, v))
     for channel in range(3):
         alone = table.sample_at(u[:, channel], np.full(4, v))[:, channel]
@@ -101,13 +101,13 @@ def test_each_channel_may_look_in_a_column_of_its_own(table, u, v):
 
 
 @pytest.mark.parametrize("shape", [(), (4,), (2, 3)])
-def test_channels_are_a_last_axis(shape):
+def test_channels_are_the_last_axis(shape):
     table = Lut(np.zeros((4, 5, 3), np.float32), "shadow", LINEAR, LINEAR)
     assert table.sample(np.zeros(shape), 0.5).shape == (*shape, 3)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, "dark"])
-def test_only_finite_places_can_be_looked_up(bad):
+def test_coordinates_that_are_not_finite_are_refused(bad):
     table = Lut(np.zeros((4, 5, 3), np.float32), "shadow", LINEAR, LINEAR)
     with pytest.raises(ArgumentError, match="column"):
         table.sample(bad, 0.5)
@@ -116,20 +116,20 @@ def test_only_finite_places_can_be_looked_up(bad):
 
 
 @pytest.mark.parametrize("shape", [(4, 5), (4, 5, 4), (1, 5, 3), (4, 1, 3)])
-def test_a_table_has_height_width_and_three_channels(shape):
+def test_values_of_another_shape_are_refused(shape):
     with pytest.raises(ArgumentError, match="values: shape"):
         Lut(np.zeros(shape, np.float32), "shadow", LINEAR, LINEAR)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_a_table_is_finite(bad):
+def test_values_that_are_not_finite_are_refused(bad):
     values = np.zeros((4, 4, 3), np.float32)
     values[1, 2, 0] = bad
     with pytest.raises(ArgumentError, match="finite"):
         Lut(values, "shadow", LINEAR, LINEAR)
 
 
-def test_a_table_is_of_a_known_kind():
+def test_an_unknown_kind_is_refused():
     with pytest.raises(ArgumentError, match="kind is 'specular'"):
         Lut(np.zeros((4, 4, 3), np.float32), "specular", LINEAR, LINEAR)
 
@@ -137,20 +137,20 @@ def test_a_table_is_of_a_known_kind():
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        ((1.0, 1.0), "does not rise"),
-        ((2.0, 1.0), "does not rise"),
-        ((np.nan, 1.0), "does not rise"),
-        ((0.0, np.inf), "does not rise"),
+        ((1.0, 1.0), "low must be less than high"),
+        ((2.0, 1.0), "low must be less than high"),
+        ((np.nan, 1.0), "low must be less than high"),
+        ((0.0, np.inf), "low must be less than high"),
         ((0.0, 1.0, "cubic"), "spacing is 'cubic'"),
-        ((-1.0, 1.0, "sqrt"), "axis"),
+        ((-1.0, 1.0, "sqrt"), "low is -1.0; it must be 0 or more with spacing sqrt"),
     ],
 )
-def test_an_axis_that_cannot_be_is_refused(arguments, complaint):
+def test_an_invalid_axis_is_refused(arguments, complaint):
     with pytest.raises(ArgumentError, match=complaint):
         Axis("a", "1", *arguments)
 
 
-def test_the_description_is_all_but_the_values():
+def test_the_description_holds_kind_axes_and_provenance():
     table = Lut(np.zeros((4, 4, 3), np.float32), "curvature", LINEAR, ROOT, {"profile": "skin1"})
     assert table.description() == {
         "kind": "curvature",

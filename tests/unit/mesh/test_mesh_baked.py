@@ -1,4 +1,4 @@
-"""A baked file says its unit and is taken at its word, in whatever pose it stands."""
+"""`load_mesh` takes unit and attributes from a baked file, and places them by its node."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import shapes
-from skinshade.bake import BakeSettings, bake
+from skinshade.baking import BakeSettings, bake
 from skinshade.mesh import Mesh, load_mesh, vertex_attributes
 from skinshade.mesh import attributes as module
 from skinshade.profile import Profile
@@ -19,8 +19,8 @@ ALL = BakeSettings(unit_mm=10.0, tensor=True, thickness=True, rays=8)
 FLOAT32 = 2e-6
 
 
-def posed(path, matrix):
-    """Give the first node of a GLB a matrix; its JSON chunk may change its length."""
+def set_node_matrix(path, matrix):
+    """Set the matrix of the first node of a GLB; its JSON chunk can change its length."""
     data = path.read_bytes()
     (length,) = struct.unpack_from("<I", data, 12)
     document = json.loads(data[20 : 20 + length])
@@ -36,8 +36,8 @@ def posed(path, matrix):
 def baked(tmp_path_factory):
     """An ellipsoid of 60, 40 and 24 mm, baked to GLB in metres."""
     folder = tmp_path_factory.mktemp("baked")
-    ball = shapes.sphere("icosphere", 3)
-    body = Mesh.checked(ball.positions * (3.0, 2.0, 1.2), ball.faces, unit_mm=10.0)
+    sphere = shapes.sphere("icosphere", 3)
+    body = Mesh.checked(sphere.positions * (3.0, 2.0, 1.2), sphere.faces, unit_mm=10.0)
     lines = [f"v {x} {y} {z}" for x, y, z in body.positions]
     lines += [f"f {a} {b} {c}" for a, b, c in body.faces + 1]
     (folder / "body.obj").write_text("\n".join(lines))
@@ -45,43 +45,43 @@ def baked(tmp_path_factory):
     return folder / "body.glb"
 
 
-def test_its_unit_need_not_be_given(baked):
+def test_a_baked_file_states_its_unit(baked):
     mesh = load_mesh(baked)
     assert mesh.unit_mm == 1000.0
     assert set(mesh.attributes) >= {"curvature", "tensor", "thickness"}
     assert np.ptp(mesh.positions_mm, axis=0) == pytest.approx([60.0, 40.0, 24.0], rel=1e-3)
 
 
-def test_what_was_baked_is_what_is_shaded(baked, monkeypatch):
-    def none(*_, **__):
-        raise AssertionError("it is in the file")
+def test_baked_attributes_are_used_for_shading_without_a_new_analysis(baked, monkeypatch):
+    def refuse(*_, **__):
+        raise AssertionError("the attribute is in the file")
 
     mesh = load_mesh(baked)
-    monkeypatch.setattr(module, "mesh_curvature", none)
-    monkeypatch.setattr(module, "mesh_curvature_tensor", none)
-    found = vertex_attributes(mesh, SKIN)
-    assert np.array_equal(found["curvature"][:, 0], mesh.attributes["curvature"])
-    assert np.array_equal(found["tensor"], mesh.attributes["tensor"])
+    monkeypatch.setattr(module, "mesh_curvature", refuse)
+    monkeypatch.setattr(module, "mesh_curvature_tensor", refuse)
+    attributes = vertex_attributes(mesh, SKIN)
+    assert np.array_equal(attributes["curvature"][:, 0], mesh.attributes["curvature"])
+    assert np.array_equal(attributes["tensor"], mesh.attributes["tensor"])
 
 
 @pytest.mark.parametrize("scale", [1.0, 0.25])
-def test_it_turns_with_its_node(baked, tmp_path, scale):
-    """Curvature is 1/mm of the body as it was baked; a node that shrinks it asks for another bake."""
+def test_baked_attributes_are_turned_with_their_node_and_fix_the_size_in_mm(baked, tmp_path, scale):
+    """A node that is scaled after the bake changes the unit of the file, not the size in mm."""
     turn = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
     turn *= np.sign(np.linalg.det(turn))
     matrix = np.eye(4)
     matrix[:3, :3] = scale * turn
     copy = tmp_path / "turned.glb"
     copy.write_bytes(baked.read_bytes())
-    mesh = load_mesh(posed(copy, matrix))
-    bare = Mesh.checked(mesh.positions, mesh.faces, unit_mm=mesh.unit_mm, normals=mesh.normals)
-    here, there = (vertex_attributes(each, SKIN) for each in (mesh, bare))
+    mesh = load_mesh(set_node_matrix(copy, matrix))
+    without = Mesh.checked(mesh.positions, mesh.faces, unit_mm=mesh.unit_mm, normals=mesh.normals)
+    stored, computed = (vertex_attributes(body, SKIN) for body in (mesh, without))
     assert mesh.unit_mm == pytest.approx(1000.0 / scale)
     for name in ("curvature", "tensor"):
-        assert np.abs(here[name] - there[name]).max() <= FLOAT32 * 100.0
+        assert np.abs(stored[name] - computed[name]).max() <= FLOAT32 * 100.0
 
 
-def test_for_another_unit_it_is_computed_again(baked):
+def test_baked_attributes_are_ignored_for_another_unit(baked):
     mesh = load_mesh(baked, unit_mm=500.0)
     assert not {"curvature", "tensor", "thickness"} & set(mesh.attributes)
     half = vertex_attributes(mesh, SKIN)["curvature"]
@@ -90,7 +90,7 @@ def test_for_another_unit_it_is_computed_again(baked):
     )
 
 
-def test_attributes_of_that_name_without_the_note_are_somebody_elses(baked, tmp_path):
+def test_attributes_with_a_baked_name_but_without_the_note_are_not_baked_ones(baked, tmp_path):
     data = baked.read_bytes().replace(b'"skinshade":{', b'"skinshadd":{')
     copy = tmp_path / "other.glb"
     copy.write_bytes(data)

@@ -1,4 +1,4 @@
-"""Mean curvature of shapes where it is known."""
+"""Mean curvature of shapes whose curvature is known."""
 
 from itertools import pairwise
 
@@ -40,14 +40,14 @@ def curvature(shape, **options):
 
 @EVERY_SHAPE
 @pytest.mark.parametrize("smoothing", [0, 2])
-def test_curvature_is_right_to_two_percent(make, smoothing):
+def test_mean_curvature_is_within_two_percent(make, smoothing):
     shape = make()
     assert shape.rms_error(curvature(shape, smoothing=smoothing)) <= tol.CURVATURE_RMS.value
 
 
 @EVERY_LADDER
 @pytest.mark.parametrize("smoothing", [0, 2])
-def test_a_finer_mesh_is_nearer_the_truth(ladder, smoothing):
+def test_the_error_decreases_with_the_size_of_the_triangles(ladder, smoothing):
     errors = [make().rms_error(curvature(make(), smoothing=smoothing)) for make in ladder]
     for coarse, fine in pairwise(errors):
         assert fine <= tol.CURVATURE_GAIN_A_LEVEL.value * coarse
@@ -60,7 +60,7 @@ def test_two_passes_are_the_default(make):
 
 
 @EVERY_SHAPE
-def test_curvature_is_right_with_normals_of_its_own(make):
+def test_mean_curvature_with_computed_normals_is_within_its_tolerance(make):
     shape = make()
     own = mesh_curvature(shape.positions, shape.faces)
     assert shape.rms_error(own) <= tol.CURVATURE_RMS_OWN_NORMALS.value
@@ -75,19 +75,19 @@ def test_a_sphere_is_exact_at_any_resolution(kind, radius, smoothing):
     assert error <= tol.SPHERE_CURVATURE.value
 
 
-def test_a_tube_has_half_the_curvature_of_a_ball():
+def test_the_mean_curvature_of_a_tube_is_half_that_of_a_sphere():
     tube = shapes.cylinder(2.0, 6.0, 64, 30)
     assert np.allclose(curvature(tube, smoothing=0), 0.25, rtol=tol.SPHERE_CURVATURE.value)
 
 
-def test_a_plane_has_none():
+def test_the_mean_curvature_of_a_plane_is_0():
     flat = shapes.square(3.0, 8)
     assert np.abs(curvature(flat)).max() == 0.0
     assert np.abs(mesh_curvature(flat.positions, flat.faces)).max() <= tol.ROUNDING_SUMS.value
 
 
-def test_a_saddle_of_no_mean_curvature_has_none_and_the_inside_of_a_torus_is_hollow():
-    # R = 2r: 1/r + cos v/(R + r cos v) vanishes at v = π, where the hole is a minimal circle.
+def test_the_inner_circle_of_a_torus_has_its_known_mean_curvature():
+    # The sum 1/r + cos v/(R + r cos v) at v = π is 0 for R = 2r, and negative for R < 2r.
     ring = shapes.torus("regular", 192, 2.0, 1.0)
     inside = np.isclose(ring.positions[:, 0] ** 2 + ring.positions[:, 1] ** 2, 1.0)
     assert np.abs(curvature(ring, smoothing=0)[inside]).max() <= tol.CURVATURE_RMS.value
@@ -106,8 +106,8 @@ def test_a_saddle_of_no_mean_curvature_has_none_and_the_inside_of_a_torus_is_hol
     ids=["ellipsoid of 10,242 vertices", "sphere of 10,242", "torus of 12,288"],
 )
 @pytest.mark.parametrize("seed", [0, 1, 2])
-def test_a_degree_of_noise_leaves_ten_percent_after_two_passes(make, seed):
-    # The resolution of a scanned head, some 9,000 vertices; 1° on each of two tangent components.
+def test_two_passes_reduce_one_degree_of_noise_to_ten_percent(make, seed):
+    # About the 9,000 vertices of a scanned head; 1° on each of the two tangent components.
     shape = make()
     noise = np.random.default_rng(seed).normal(size=shape.normals.shape) * np.pi / 180.0
     normals = shape.normals + noise
@@ -130,14 +130,14 @@ def test_the_2014_method_is_exact_on_a_sphere(radius, smoothing):
 
 
 @pytest.mark.parametrize("level", [3, 4, 5])
-def test_the_2014_method_is_18_percent_off_on_an_ellipsoid_at_any_resolution(level):
+def test_the_2014_method_has_18_percent_error_on_an_ellipsoid_at_any_resolution(level):
     shape = shapes.ellipsoid("icosphere", level, AXES)
     error = shape.rms_error(curvature(shape, method="edges", smoothing=0))
     assert abs(error - 0.18) <= tol.EDGES_2014.value
 
 
 def test_the_2014_method_is_the_mean_of_the_least_and_greatest_turn_per_length():
-    # A fan around vertex 0: its edges turn by known amounts.
+    # A fan around vertex 0, along whose edges the normal turns by known angles.
     positions = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [-1.0, 0.0, 0.0]])
     tilt = np.array([0.0, 0.1, 0.8, 0.3])
     normals = np.stack([np.sin(tilt), 0.0 * tilt, np.cos(tilt)], axis=1)
@@ -148,7 +148,7 @@ def test_the_2014_method_is_the_mean_of_the_least_and_greatest_turn_per_length()
     assert value == pytest.approx(0.5 * (min(ratios) + max(ratios)), rel=tol.ROUNDING.value)
 
 
-def test_the_2014_method_smooths_over_the_triangles_around_without_the_vertex_itself():
+def test_the_2014_method_smooths_over_neighbours_without_the_vertex_itself():
     shape = shapes.ellipsoid("icosphere", 2, AXES)
     before = curvature(shape, method="edges", smoothing=0)
     after = curvature(shape, method="edges", smoothing=1)
@@ -157,7 +157,7 @@ def test_the_2014_method_smooths_over_the_triangles_around_without_the_vertex_it
     assert after[0] == pytest.approx(before[others].mean(), rel=tol.ROUNDING.value)
 
 
-def test_the_2014_method_knows_no_hollow():
+def test_the_2014_method_gives_concave_surfaces_positive_curvature():
     ball = shapes.sphere("icosphere", 3)
     inward = mesh_curvature(ball.positions, ball.faces, -ball.normals, method="edges")
     assert np.allclose(inward, 1.0, rtol=tol.ROUNDING_SUMS.value)

@@ -1,4 +1,4 @@
-"""The shape operator: its trace, its eigenvalues and directions where they are known."""
+"""The shape operator: trace, eigenvalues and directions on shapes where they are known."""
 
 import numpy as np
 import pytest
@@ -55,7 +55,7 @@ def test_the_eigenvalues_are_the_principal_curvatures(make):
 
 
 @pytest.mark.parametrize("axis_angle", [0.0, 0.4, 1.1])
-def test_a_tube_bends_around_and_not_along_its_axis(axis_angle):
+def test_a_tube_is_curved_around_its_axis_and_not_along_it(axis_angle):
     turn = Rotation.from_euler("x", axis_angle).as_matrix()
     tube = shapes.cylinder(2.0, 4.0, 64, 24)
     normals = tube.normals @ turn.T
@@ -69,7 +69,7 @@ def test_a_tube_bends_around_and_not_along_its_axis(axis_angle):
     )
 
 
-def test_a_torus_bends_by_one_over_r_across():
+def test_a_torus_has_its_principal_curvatures_across_and_along():
     ring = shapes.torus("regular", 192)
     x, y = ring.positions[:, 0], ring.positions[:, 1]
     along = np.stack([-y, x, 0.0 * x], axis=1) / np.hypot(x, y)[:, None]
@@ -94,14 +94,14 @@ def test_two_passes_are_the_default():
     assert not np.array_equal(tensor(shape), tensor(shape, smoothing=1))
 
 
-def test_smoothing_a_tube_changes_nothing_but_its_turning():
-    # The operator of a tube turns by one step of the grid from vertex to vertex.
+def test_smoothing_changes_the_operator_of_a_tube_only_by_its_turning():
+    # From vertex to vertex, the operator of a tube turns by one step of the grid.
     tube = shapes.cylinder(1.0, 2.0, 96, 32)
     rough, smooth = tensor(tube, smoothing=0), tensor(tube, smoothing=4)
     assert np.abs(rough - smooth).max() <= tol.TUBE_TENSOR.value
 
 
-def test_both_sides_of_a_seam_have_the_tensor_of_the_whole():
+def test_vertices_split_at_a_seam_have_the_tensor_of_the_unsplit_mesh():
     shape = shapes.ellipsoid("random", 600, (3.0, 2.0, 1.0))
     positions, faces, normals, original = shapes.split_seam(shape)
     split = mesh_curvature_tensor(positions, faces, normals)
@@ -123,7 +123,7 @@ def test_the_operator_turns_with_the_surface(angles):
 
 
 @given(*[st.tuples(*[st.floats(-3.0, 3.0)] * 3)] * 2)
-def test_six_numbers_are_the_symmetric_matrix_of_the_three(numbers, direction):
+def test_the_world_tensor_is_the_symmetric_matrix_of_the_tangent_tensor(numbers, direction):
     length = np.linalg.norm(direction)
     normal = np.array([[0.0, 0.0, 1.0]]) if length < 0.1 else np.array([direction]) / length
     u, v = tangent_frame(normal)

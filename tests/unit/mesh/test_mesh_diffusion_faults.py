@@ -37,7 +37,7 @@ def test_a_malformed_mesh_is_refused(positions, faces, values, kind, complaint, 
         diffuse_on_mesh(positions, faces, values, deon)
 
 
-def test_a_mesh_of_nothing_is_refused(deon):
+def test_a_mesh_without_vertices_is_refused(deon):
     with pytest.raises((ArgumentError, MeshError)):
         diffuse_on_mesh(np.zeros((0, 3)), np.zeros((0, 3), int), np.zeros(0), deon)
 
@@ -49,6 +49,6 @@ def test_a_vertex_that_no_face_uses_is_named(deon):
 
 
 @pytest.mark.parametrize("tolerance", [0.0, 1e-13, 0.2, np.nan])
-def test_a_tolerance_that_cannot_be_is_refused(deon, tolerance):
+def test_a_tolerance_out_of_range_is_refused(deon, tolerance):
     with pytest.raises(ArgumentError, match="tolerance is"):
         diffuse_on_mesh(SMALL.positions, SMALL.faces, np.zeros(150), deon, tolerance=tolerance)

@@ -1,4 +1,4 @@
-"""Mesh.checked: what it repairs and counts, and what it refuses."""
+"""Mesh.checked: repairs, counts and refusals."""
 
 import numpy as np
 import pytest
@@ -10,6 +10,7 @@ import shapes
 import tolerances as tol
 from skinshade._core.errors import ArgumentError, InputError, MeshError, UnitError
 from skinshade.mesh import Mesh
+from skinshade.mesh.model import _first_of_equal as first_of_equal
 
 BALL = shapes.sphere("icosphere", 2)
 COUNT = len(BALL.positions)
@@ -20,7 +21,7 @@ def checked(positions=BALL.positions, faces=BALL.faces, **options):
     return Mesh.checked(positions, faces, **({"unit_mm": 10.0, "name": "head.glb"} | options))
 
 
-def test_a_sound_mesh_passes_unchanged():
+def test_a_valid_mesh_is_unchanged():
     mesh = checked(normals=BALL.normals, uvs=UVS, attributes={"thickness": np.arange(COUNT)})
     assert np.array_equal(mesh.positions, BALL.positions)
     assert np.array_equal(mesh.faces, BALL.faces)
@@ -52,7 +53,7 @@ def test_a_zero_length_edge_between_two_vertices_makes_a_face_without_area():
     assert mesh.repairs["unreferenced vertices dropped"] == 1
 
 
-def test_repeated_faces_are_dropped_and_counted_however_they_start():
+def test_repeated_faces_are_dropped_and_counted_from_any_first_corner():
     again = np.roll(BALL.faces[[3, 7]], 1, axis=1)
     mesh = checked(faces=np.vstack([BALL.faces, again, BALL.faces[:1]]), normals=BALL.normals)
     assert mesh.repairs == {"repeated faces dropped": 3}
@@ -78,7 +79,7 @@ def test_unreferenced_vertices_are_dropped_from_every_array():
 
 
 @pytest.mark.parametrize("bad", [0.0, np.nan, np.inf])
-def test_normals_that_are_none_are_computed_and_counted(bad):
+def test_invalid_normals_are_computed_and_counted(bad):
     normals = BALL.normals.copy()
     normals[[2, 11, 40]] = bad
     mesh = checked(normals=normals)
@@ -86,20 +87,20 @@ def test_normals_that_are_none_are_computed_and_counted(bad):
     assert np.abs(mesh.normals - BALL.normals).max() <= tol.COARSE_NORMALS.value
 
 
-def test_without_normals_all_are_computed():
+def test_missing_normals_are_computed_and_counted():
     mesh = checked()
     assert mesh.repairs == {"normals computed": COUNT}
     assert np.abs(mesh.normals - BALL.normals).max() <= tol.COARSE_NORMALS.value
 
 
-def test_normals_of_any_length_are_directions():
+def test_normals_of_any_length_are_normalised():
     lengths = np.geomspace(1e-3, 1e3, COUNT)[:, None]
     mesh = checked(normals=BALL.normals * lengths)
     assert mesh.repairs == {}
     assert np.allclose(mesh.normals, BALL.normals, rtol=0, atol=tol.ROUNDING.value)
 
 
-def test_what_is_wrong_with_edges_is_counted_and_kept():
+def test_faulty_edges_are_counted_and_kept():
     a, b = BALL.faces[0, :2]
     positions = np.vstack([BALL.positions, [[3.0, 3.0, 3.0]]])
     turned = BALL.faces.copy()
@@ -110,19 +111,19 @@ def test_what_is_wrong_with_edges_is_counted_and_kept():
     assert len(mesh.faces) == len(BALL.faces) + 1
 
 
-def test_a_seam_is_nothing_to_repair():
+def test_a_seam_needs_no_repair():
     positions, faces, normals, _ = shapes.split_seam(BALL)
     assert checked(positions, faces, normals=normals).repairs == {}
 
 
-def test_both_sides_of_one_sheet_still_have_unit_normals():
+def test_a_sheet_with_faces_on_both_sides_has_unit_normals():
     sheet = shapes.square(1.0, 2)
     both = np.vstack([sheet.faces, sheet.faces[:, ::-1]])
     mesh = checked(sheet.positions, both)
     assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1.0)
 
 
-def test_the_callers_arrays_stay_as_they_are():
+def test_the_arrays_of_the_caller_are_unchanged():
     normals = BALL.normals.copy()
     normals[4] = np.nan
     kept = normals.copy()
@@ -133,7 +134,7 @@ def test_the_callers_arrays_stay_as_they_are():
 # -- refusals --------------------------------------------------------------------------------------
 
 
-def spoilt(array, index, value):
+def with_value(array, index, value):
     result = np.array(array, dtype=float)
     result[index] = value
     return result
@@ -142,9 +143,9 @@ def spoilt(array, index, value):
 FAULTS = {
     "no vertices": ({"positions": np.zeros((0, 3)), "faces": np.zeros((0, 3), int)}, "no vertices"),
     "no faces": ({"faces": np.zeros((0, 3), int)}, "no faces"),
-    "nan": ({"positions": spoilt(BALL.positions, (7, 1), np.nan)}, r"positions\[7, 1\] is nan"),
+    "nan": ({"positions": with_value(BALL.positions, (7, 1), np.nan)}, r"positions\[7, 1\] is nan"),
     "infinite": (
-        {"positions": spoilt(BALL.positions, (7, 1), np.inf)},
+        {"positions": with_value(BALL.positions, (7, 1), np.inf)},
         r"positions\[7, 1\] is inf",
     ),
     "index too high": (
@@ -161,30 +162,30 @@ FAULTS = {
     "normals of another count": ({"normals": BALL.normals[1:]}, "normals have shape"),
     "normals of text": ({"normals": [["a", "b", "c"]] * COUNT}, "normals"),
     "uvs of another count": ({"uvs": UVS[1:]}, "uvs: shape"),
-    "uvs not finite": ({"uvs": spoilt(UVS, (3, 0), np.nan)}, r"uvs\[3, 0\] is nan"),
+    "uvs not finite": ({"uvs": with_value(UVS, (3, 0), np.nan)}, r"uvs\[3, 0\] is nan"),
     "attribute of another count": ({"attributes": {"mask": np.zeros(3)}}, "mask has shape"),
     "attribute not finite": (
-        {"attributes": {"mask": spoilt(np.zeros(COUNT), 5, np.inf)}},
+        {"attributes": {"mask": with_value(np.zeros(COUNT), 5, np.inf)}},
         r"mask\[5\] is inf",
     ),
 }
 
 
 @pytest.mark.parametrize(("fault", "complaint"), FAULTS.values(), ids=FAULTS)
-def test_what_no_repair_can_mean_is_refused_with_the_place(fault, complaint):
+def test_a_fault_without_repair_is_refused_with_name_array_and_index(fault, complaint):
     with pytest.raises((MeshError, ArgumentError), match=complaint) as caught:
         checked(**fault)
     assert str(caught.value).startswith("head.glb: ")
 
 
 @pytest.mark.parametrize("unit_mm", [0.0, -1.0, np.nan, np.inf, "cm", None])
-def test_a_unit_is_a_positive_length(unit_mm):
+def test_a_unit_that_is_no_positive_length_is_refused(unit_mm):
     with pytest.raises(UnitError, match=r"head\.glb"):
         checked(unit_mm=unit_mm)
 
 
 @pytest.mark.parametrize("scale", [1e-200, 1e-90, 1e60, 1e90, 1e200, 1e300])
-def test_sizes_beyond_reason_are_refused_or_handled_but_never_overflow(scale):
+def test_extreme_sizes_are_refused_or_have_finite_normals(scale):
     try:
         mesh = checked(BALL.positions * scale)
     except InputError:
@@ -193,7 +194,7 @@ def test_sizes_beyond_reason_are_refused_or_handled_but_never_overflow(scale):
     assert np.allclose(np.linalg.norm(mesh.normals, axis=1), 1.0)
 
 
-# -- any mesh at all -------------------------------------------------------------------------------
+# -- generated meshes ------------------------------------------------------------------------------
 
 COORDINATES = (
     st.integers(-2, 2).map(float) | st.floats(-1e3, 1e3) | st.sampled_from([np.nan, np.inf])
@@ -208,7 +209,7 @@ MESHES = st.integers(1, 8).flatmap(
         st.none() | hnp.arrays(np.float64, (count, 2), elements=COORDINATES),
     )
 )
-SOUND_MESHES = st.integers(3, 9).flatmap(
+VALID_MESHES = st.integers(3, 9).flatmap(
     lambda count: st.tuples(
         hnp.arrays(np.float64, (count, 3), elements=st.integers(-2, 2).map(float)),
         hnp.arrays(
@@ -238,7 +239,7 @@ def assert_usable(mesh):
 
 
 @given(MESHES)
-def test_any_arrays_become_a_usable_mesh_or_an_error_of_ours(arrays):
+def test_any_arrays_give_a_usable_mesh_or_an_input_error(arrays):
     positions, faces, normals, uvs = arrays
     try:
         mesh = checked(positions, faces, normals=normals, uvs=uvs)
@@ -248,8 +249,8 @@ def test_any_arrays_become_a_usable_mesh_or_an_error_of_ours(arrays):
     assert_usable(mesh)
 
 
-@given(SOUND_MESHES)
-def test_any_finite_triangles_become_a_usable_mesh_unless_all_are_flat(arrays):
+@given(VALID_MESHES)
+def test_finite_triangles_give_a_usable_mesh_unless_none_has_an_area(arrays):
     positions, faces, normals = arrays
     corners = positions[faces]
     area = np.linalg.norm(
@@ -264,8 +265,8 @@ def test_any_finite_triangles_become_a_usable_mesh_unless_all_are_flat(arrays):
     assert mesh.repairs.get("faces without area dropped", 0) == (area == 0.0).sum()
 
 
-@given(SOUND_MESHES)
-def test_checking_a_checked_mesh_repairs_nothing_more(arrays):
+@given(VALID_MESHES)
+def test_a_checked_mesh_needs_no_further_repair(arrays):
     try:
         once = checked(arrays[0], arrays[1], normals=arrays[2])
     except MeshError:
@@ -278,7 +279,7 @@ def test_checking_a_checked_mesh_repairs_nothing_more(arrays):
 # -- texture coordinates ---------------------------------------------------------------------------
 
 
-def test_flipping_uvs_turns_v_over_and_back():
+def test_flipping_uvs_reverses_v_and_is_its_own_inverse():
     mesh = checked(uvs=UVS)
     flipped = mesh.with_uvs_flipped()
     assert np.array_equal(flipped.uvs[:, 0], UVS[:, 0])
@@ -287,6 +288,49 @@ def test_flipping_uvs_turns_v_over_and_back():
     assert np.array_equal(mesh.uvs, UVS)
 
 
-def test_a_mesh_without_uvs_has_none_to_flip():
+def test_flipping_uvs_of_a_mesh_without_uvs_is_refused():
     with pytest.raises(MeshError, match="no UVs"):
         checked().with_uvs_flipped()
+
+
+# -- vertices that keep their index ----------------------------------------------------------------
+
+
+def test_unreferenced_vertices_can_be_kept():
+    extra = np.array([[9.0, 9.0, 9.0]])
+    positions = np.concatenate([extra, BALL.positions, extra])
+    values = np.arange(COUNT + 2)
+    mesh = checked(positions, BALL.faces + 1, attributes={"id": values}, keep_vertices=True)
+    assert np.array_equal(mesh.positions, positions)
+    assert np.array_equal(mesh.faces, BALL.faces + 1)
+    assert np.array_equal(mesh.attributes["id"], values)
+    assert mesh.repairs == {"normals computed": COUNT + 2}
+    assert mesh.normals[[0, -1]].tolist() == [[0.0, 0.0, 1.0]] * 2
+    dropped = checked(positions, BALL.faces + 1)
+    assert np.allclose(mesh.normals[1:-1], dropped.normals, rtol=0, atol=tol.ROUNDING.value)
+
+
+@given(VALID_MESHES)
+def test_kept_vertices_do_not_change_the_faces(arrays):
+    positions, faces, normals = arrays
+    try:
+        dropped = checked(positions, faces, normals=normals)
+    except MeshError:
+        with pytest.raises(MeshError, match="no face has an area"):
+            checked(positions, faces, normals=normals, keep_vertices=True)
+        return
+    kept = checked(positions, faces, normals=normals, keep_vertices=True)
+    assert np.array_equal(kept.positions, positions)
+    assert np.array_equal(kept.positions[kept.faces], dropped.positions[dropped.faces])
+    assert np.allclose(np.linalg.norm(kept.normals, axis=1), 1.0)
+
+
+@given(
+    hnp.arrays(np.int64, st.tuples(st.integers(1, 30), st.just(3)), elements=st.integers(0, 4)),
+    st.sampled_from([5, 1 << 20, (1 << 21) - 1]),
+)
+def test_the_first_of_equal_faces_is_kept_for_any_number_of_vertices(triangles, vertex_count):
+    first = first_of_equal(triangles, vertex_count)
+    turned = [tuple(np.roll(face, -np.argmin(face))) for face in triangles]
+    assert first.tolist() == sorted({face: turned.index(face) for face in turned}.values())
+    assert np.array_equal(first, first_of_equal(triangles, 1 << 21))

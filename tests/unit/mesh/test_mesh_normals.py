@@ -28,23 +28,23 @@ def degrees_apart(a, b):
 
 
 @pytest.mark.parametrize(("make", "limit_deg"), FINE.values(), ids=FINE)
-def test_computed_normals_are_those_of_the_surface(make, limit_deg):
+def test_computed_normals_are_near_those_of_the_surface(make, limit_deg):
     shape = make()
-    apart = degrees_apart(vertex_normals(shape.positions, shape.faces), shape.normals)
-    assert np.sqrt(np.mean(apart**2)) <= limit_deg
+    degrees = degrees_apart(vertex_normals(shape.positions, shape.faces), shape.normals)
+    assert np.sqrt(np.mean(degrees**2)) <= limit_deg
 
 
-def test_finer_meshes_have_better_normals():
+def test_the_error_of_normals_decreases_with_the_size_of_the_triangles():
     def error(level):
         shape = shapes.ellipsoid("icosphere", level, (3.0, 2.0, 1.0))
-        apart = degrees_apart(vertex_normals(shape.positions, shape.faces), shape.normals)
-        return np.sqrt(np.mean(apart**2))
+        degrees = degrees_apart(vertex_normals(shape.positions, shape.faces), shape.normals)
+        return np.sqrt(np.mean(degrees**2))
 
     errors = [error(level) for level in (2, 3, 4, 5)]
     assert all(fine < 0.35 * coarse for coarse, fine in pairwise(errors))
 
 
-def test_normals_have_length_one_and_follow_the_winding():
+def test_normals_are_unit_vectors_and_follow_the_winding():
     shape = shapes.torus("random", 2000)
     normals = vertex_normals(shape.positions, shape.faces)
     assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, rtol=tol.ROUNDING.value)
@@ -52,14 +52,14 @@ def test_normals_have_length_one_and_follow_the_winding():
 
 
 @given(st.floats(1e-5, 1e5), st.tuples(*[st.floats(-10, 10)] * 3))
-def test_normals_know_neither_size_nor_place(factor, shift):
+def test_normals_are_invariant_under_scaling_and_translation(factor, shift):
     shape = shapes.ellipsoid("icosphere", 2, (3.0, 2.0, 1.0))
     before = vertex_normals(shape.positions, shape.faces)
     after = vertex_normals((shape.positions + shift) * factor, shape.faces)
     assert np.abs(after - before).max() <= tol.ROTATION.value
 
 
-def test_both_sides_of_a_seam_share_their_normal():
+def test_vertices_split_at_a_seam_have_the_normal_of_the_unsplit_mesh():
     shape = shapes.ellipsoid("icosphere", 3, (3.0, 2.0, 1.0))
     positions, faces, _, original = shapes.split_seam(shape)
     whole = vertex_normals(shape.positions, shape.faces)
@@ -81,7 +81,7 @@ def test_a_frame_exists_at_both_poles(z):
     assert np.allclose(np.cross(u, v), [[0.0, 0.0, z]])
 
 
-# -- tangents: the picture of a normal map has u to the right and v down ---------------------------
+# -- tangents: u goes right and v goes down in the image of a normal map ---------------------------
 
 QUAD = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
 QUAD_FACES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -95,15 +95,15 @@ def uvs_of_quad(u_along, v_along):
 @pytest.mark.parametrize(
     ("u_along", "v_along", "sign"),
     [
-        ([1, 0, 0], [0, -1, 0], 1.0),  # as a picture hangs on a wall
-        ([0, 1, 0], [1, 0, 0], 1.0),  # turned by a quarter
+        ([1, 0, 0], [0, -1, 0], 1.0),  # upright
+        ([0, 1, 0], [1, 0, 0], 1.0),  # turned by 90°
         ([-1, 0, 0], [0, 1, 0], 1.0),  # upside down
         ([-1, 0, 0], [0, -1, 0], -1.0),  # mirrored
         ([1, 0, 0], [0, 1, 0], -1.0),  # v upwards
     ],
 )
 @pytest.mark.parametrize("stretch", [(1.0, 1.0), (0.01, 3.0)])
-def test_tangents_of_a_quad_follow_its_picture(u_along, v_along, sign, stretch):
+def test_tangents_of_a_quad_follow_its_texture_axes(u_along, v_along, sign, stretch):
     uvs = uvs_of_quad(u_along, v_along) * stretch
     tangents = vertex_tangents(QUAD, UP, uvs, QUAD_FACES)
     assert np.allclose(tangents[:, :3], u_along, atol=tol.ROUNDING.value)
@@ -113,7 +113,7 @@ def test_tangents_of_a_quad_follow_its_picture(u_along, v_along, sign, stretch):
 
 
 def test_tangents_of_a_sphere_run_along_the_parallels():
-    # u with longitude, v down from the pole: a map of the world seen from outside.
+    # u increases with longitude and v from the north pole down, as on a map of the world.
     ball = shapes.sphere("icosphere", 4)
     x, y, z = ball.positions.T
     longitude, polar = np.arctan2(y, x), np.arccos(z)
@@ -133,8 +133,8 @@ def test_tangents_of_a_sphere_run_along_the_parallels():
     assert (np.einsum("ij,ij->i", bitangent, north) > 0.99).all()
 
 
-def test_tangents_of_both_handednesses_live_on_one_mesh():
-    # Two quads side by side; the left one is the mirror image of the right one, as on a face.
+def test_mirrored_quads_of_one_mesh_have_opposite_handedness():
+    # Two quads side by side; the left one is the mirror image of the right one.
     positions = np.concatenate([QUAD, QUAD * (-1, 1, 1)])
     faces = np.concatenate([QUAD_FACES, QUAD_FACES[:, ::-1] + 4])
     uvs = np.tile(uvs_of_quad([1, 0, 0], [0, -1, 0]), (2, 1))
@@ -145,7 +145,7 @@ def test_tangents_of_both_handednesses_live_on_one_mesh():
 
 
 @pytest.mark.parametrize("uvs", [np.zeros((4, 2)), np.stack([np.arange(4.0)] * 2, axis=1)])
-def test_without_a_picture_any_unit_tangent_will_do(uvs):
+def test_tangents_of_degenerate_uvs_are_unit_vectors(uvs):
     tangents = vertex_tangents(QUAD, UP, uvs, QUAD_FACES)
     assert np.allclose(np.linalg.norm(tangents[:, :3], axis=1), 1.0)
     assert np.allclose(tangents[:, 2], 0.0)

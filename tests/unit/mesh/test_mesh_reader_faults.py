@@ -1,4 +1,4 @@
-"""Files that are no mesh, or a broken one: an error of ours that names the file, never another."""
+"""Files that are no mesh or a broken one raise errors of skinshade that name the file."""
 
 import warnings
 
@@ -38,7 +38,7 @@ def small_ball(suffix):
     return content.encode() if isinstance(content, str) else content
 
 
-def refused(file, kind=MeshFileError):
+def assert_refused(file, kind=MeshFileError):
     with pytest.raises(kind) as caught:
         load_mesh(file, unit_mm=10.0)
     assert str(file) in str(caught.value)
@@ -47,17 +47,17 @@ def refused(file, kind=MeshFileError):
 
 @EVERY_SUFFIX
 def test_a_missing_file_is_named(tmp_path, suffix):
-    assert "no such file" in refused(tmp_path / f"head{suffix}")
+    assert "no such file" in assert_refused(tmp_path / f"head{suffix}")
 
 
 @EVERY_SUFFIX
 def test_an_empty_file_is_named(tmp_path, suffix):
     (tmp_path / f"head{suffix}").touch()
-    assert "empty" in refused(tmp_path / f"head{suffix}")
+    assert "empty" in assert_refused(tmp_path / f"head{suffix}")
 
 
 def test_a_folder_is_named(tmp_path):
-    assert "not a file" in refused(tmp_path)
+    assert "not a file" in assert_refused(tmp_path)
 
 
 @EVERY_SUFFIX
@@ -66,25 +66,25 @@ def test_a_folder_is_named(tmp_path):
     [b"once upon a time there was a head\n" * 9, bytes(range(256)) * 8, b"\n", b"\x00" * 500],
     ids=["text", "noise", "one line", "zeros"],
 )
-def test_what_is_no_mesh_is_refused(tmp_path, suffix, content):
+def test_a_file_that_is_no_mesh_is_refused(tmp_path, suffix, content):
     file = tmp_path / f"head{suffix}"
     file.write_bytes(content)
-    refused(file)
+    assert_refused(file)
 
 
 @pytest.mark.parametrize("name", ["head.fbx", "head", "head.glb.zip", "head.usd"])
-def test_another_suffix_is_refused_with_the_choices(tmp_path, name):
+def test_an_unknown_suffix_is_refused_with_the_choices(tmp_path, name):
     (tmp_path / name).write_bytes(b"x")
-    message = refused(tmp_path / name)
+    message = assert_refused(tmp_path / name)
     assert all(suffix in message for suffix in SUFFIXES)
 
 
-@pytest.mark.parametrize("wrong", SUFFIXES)
-def test_a_mesh_under_anothers_suffix_is_refused(tmp_path, wrong):
+@pytest.mark.parametrize("wrong", [".glb", ".obj", ".ply", ".stl"])
+def test_a_mesh_with_the_suffix_of_another_format_is_refused(tmp_path, wrong):
     right = ".glb" if wrong != ".glb" else ".ply"
     file = tmp_path / f"head{wrong}"
     file.write_bytes(small_ball(right))
-    refused(file)
+    assert_refused(file)
 
 
 @pytest.mark.parametrize("suffix", [".GLB", ".Obj", ".PLY"])
@@ -100,7 +100,7 @@ def test_a_truncated_file_is_refused(tmp_path, suffix, share):
     whole = small_ball(suffix)
     file = tmp_path / f"head{suffix}"
     file.write_bytes(whole[: int(len(whole) * share)])
-    refused(file)
+    assert_refused(file)
 
 
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -134,6 +134,13 @@ BROKEN = {
         ArgumentError,
         "positions[1, 1] is inf",
     ),
+    "an index of zero": (".obj", OBJ + "f 0 1 2\n", MeshFileError, "line 4 has vertex index 0"),
+    "an index of zero in a later corner": (
+        ".obj",
+        OBJ + "f 1//1 2//1 0//1\n",
+        MeshFileError,
+        "line 4 has vertex index 0",
+    ),
     "a face without area": (".obj", OBJ + "f 1 1 2\n", InputError, "area"),
     "words for numbers": (
         ".obj",
@@ -149,10 +156,10 @@ BROKEN = {
 
 
 @pytest.mark.parametrize(("suffix", "text", "kind", "complaint"), BROKEN.values(), ids=BROKEN)
-def test_a_broken_mesh_is_refused_with_the_place(tmp_path, suffix, text, kind, complaint):
+def test_a_broken_mesh_is_refused_with_its_fault(tmp_path, suffix, text, kind, complaint):
     file = tmp_path / f"head{suffix}"
     file.write_text(text)
-    assert complaint in refused(file, kind)
+    assert complaint in assert_refused(file, kind)
 
 
 def test_a_gltf_without_its_buffer_is_refused(tmp_path):
@@ -160,11 +167,11 @@ def test_a_gltf_without_its_buffer_is_refused(tmp_path):
     for name, content in trimesh.exchange.gltf.export_gltf(trimesh.Scene(mesh)).items():
         if name.endswith(".gltf"):
             (tmp_path / "head.gltf").write_bytes(content)
-    refused(tmp_path / "head.gltf")
+    assert_refused(tmp_path / "head.gltf")
 
 
 @pytest.mark.parametrize("exponent", [60, 120, 250])
-def test_sizes_beyond_reason_are_refused_or_handled(tmp_path, exponent):
+def test_extreme_sizes_are_refused_or_have_finite_normals(tmp_path, exponent):
     file = tmp_path / "head.obj"
     file.write_text(f"v 0 0 0\nv 1e{exponent} 0 0\nv 0 1e{exponent} 0\nf 1 2 3\n")
     try:
@@ -178,7 +185,7 @@ def test_sizes_beyond_reason_are_refused_or_handled(tmp_path, exponent):
 @pytest.mark.parametrize("suffix", [".glb", ".obj", ".ply", ".stl"])
 @settings(SAME_FOLDER, max_examples=150)
 @given(data=st.data())
-def test_wrong_bytes_raise_nothing_but_errors_of_ours(tmp_path, suffix, data):
+def test_wrong_bytes_raise_only_errors_of_skinshade(tmp_path, suffix, data):
     broken = bytearray(small_ball(suffix))
     for _ in range(data.draw(st.integers(1, 5), "faults")):
         at = data.draw(st.integers(0, len(broken) - 1), "at")

@@ -1,4 +1,4 @@
-"""Files of every kind, written by other programs, read back."""
+"""Mesh files of every format, written by other programs."""
 
 import warnings
 
@@ -20,7 +20,7 @@ UNITLESS = [".obj", ".ply", ".stl"]
 
 
 def exported(folder, suffix, *, uvs=UVS, scale=1.0):
-    """Write the ball; trimesh holds v upwards and writes each format in its own convention."""
+    """Write the ball. In trimesh v goes up; it writes every format in that format's convention."""
     visual = None if uvs is None else trimesh.visual.TextureVisuals(uv=uvs)
     mesh = trimesh.Trimesh(
         BALL.positions * scale,
@@ -39,37 +39,38 @@ def exported(folder, suffix, *, uvs=UVS, scale=1.0):
     return file
 
 
-def nearest(mesh):
-    """The exported vertex that each read one is."""
+def original_vertices(mesh):
+    """Return the indices of the exported vertices at the positions of the read ones."""
     gap = np.linalg.norm(mesh.positions[:, None] - BALL.positions[None], axis=-1)
     assert gap.min(axis=1).max() <= tol.FLOAT32_FILE.value
     return gap.argmin(axis=1)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-def test_positions_and_triangles_come_back(tmp_path, suffix):
+def test_positions_and_triangles_are_those_of_the_file(tmp_path, suffix):
     mesh = load_mesh(exported(tmp_path, suffix), unit_mm=1000.0)
-    original = nearest(mesh)
+    original = original_vertices(mesh)
     read = {tuple(np.roll(f, -np.argmin(f))) for f in original[mesh.faces]}
     assert read == {tuple(np.roll(f, -np.argmin(f))) for f in BALL.faces}
     assert mesh.unit_mm == 1000.0
 
 
 @pytest.mark.parametrize("suffix", [".glb", ".obj", ".ply"])
-def test_normals_come_back_where_the_file_has_them(tmp_path, suffix):
+def test_normals_are_those_of_the_file(tmp_path, suffix):
     mesh = load_mesh(exported(tmp_path, suffix), unit_mm=1000.0)
     assert "normals computed" not in mesh.repairs
-    assert np.abs(mesh.normals - BALL.normals[nearest(mesh)]).max() <= tol.FLOAT32_FILE.value
+    error = mesh.normals - BALL.normals[original_vertices(mesh)]
+    assert np.abs(error).max() <= tol.FLOAT32_FILE.value
 
 
 @pytest.mark.parametrize("suffix", WITH_UVS)
-def test_uvs_come_back_with_v_down(tmp_path, suffix):
+def test_uvs_have_v_down(tmp_path, suffix):
     mesh = load_mesh(exported(tmp_path, suffix), unit_mm=1000.0)
-    expected = UVS[nearest(mesh)] * (1.0, -1.0) + (0.0, 1.0)
+    expected = UVS[original_vertices(mesh)] * (1.0, -1.0) + (0.0, 1.0)
     assert np.abs(mesh.uvs - expected).max() <= tol.FLOAT32_FILE.value
 
 
-def test_uvs_of_a_glb_are_the_numbers_in_the_file(tmp_path):
+def test_uvs_of_a_glb_are_the_stored_numbers(tmp_path):
     file = exported(tmp_path, ".glb")
     gltf = pygltflib.GLTF2().load(str(file))
     accessor = gltf.accessors[gltf.meshes[0].primitives[0].attributes.TEXCOORD_0]
@@ -80,7 +81,7 @@ def test_uvs_of_a_glb_are_the_numbers_in_the_file(tmp_path):
 
 
 @pytest.mark.parametrize("suffix", [".glb", ".obj"])
-def test_without_uvs_there_are_none(tmp_path, suffix):
+def test_a_file_without_uvs_gives_a_mesh_without_uvs(tmp_path, suffix):
     assert load_mesh(exported(tmp_path, suffix, uvs=None), unit_mm=1000.0).uvs is None
 
 
@@ -88,7 +89,7 @@ def test_without_uvs_there_are_none(tmp_path, suffix):
 def test_every_format_gives_the_same_curvature(tmp_path, suffix):
     mesh = load_mesh(exported(tmp_path, suffix), unit_mm=1000.0)
     own = mesh_curvature(mesh.positions, mesh.faces)
-    expected = mesh_curvature(BALL.positions, BALL.faces)[nearest(mesh)]
+    expected = mesh_curvature(BALL.positions, BALL.faces)[original_vertices(mesh)]
     assert np.abs(own - expected).max() <= tol.CURVATURE_OF_ROUNDED.value * np.abs(expected).max()
 
 
@@ -113,7 +114,7 @@ f 2/5/1 5/6/1 6/7/1 3/8/1
 """
 
 
-def test_an_obj_with_a_uv_seam_keeps_its_uvs_and_normals(tmp_path):
+def test_an_obj_with_a_uv_seam_keeps_uvs_and_normals(tmp_path):
     file = tmp_path / "seam.obj"
     file.write_text(OBJ_WITH_SEAM)
     mesh = load_mesh(file, unit_mm=10.0)
@@ -127,7 +128,7 @@ def test_an_obj_with_a_uv_seam_keeps_its_uvs_and_normals(tmp_path):
         assert np.allclose(mesh.uvs[face], np.stack([u, 1.0 - y], axis=1), atol=1e-6)
 
 
-def test_faces_of_four_corners_become_two_triangles(tmp_path):
+def test_a_face_of_four_corners_becomes_two_triangles(tmp_path):
     file = tmp_path / "quad.obj"
     file.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
     mesh = load_mesh(file, unit_mm=10.0)
@@ -163,7 +164,7 @@ def translation(x, y, z):
     return matrix
 
 
-def test_all_parts_become_one_mesh_where_the_scene_places_them(tmp_path):
+def test_all_parts_are_joined_in_the_axes_of_the_scene(tmp_path):
     file = scene_of_two(tmp_path, transform=translation(1.0, 2.0, 3.0))
     mesh = load_mesh(file, unit_mm=1000.0)
     n = len(BALL.positions)
@@ -176,12 +177,12 @@ def test_all_parts_become_one_mesh_where_the_scene_places_them(tmp_path):
     assert mesh.repairs == {}
 
 
-def test_what_one_part_lacks_the_whole_lacks(tmp_path):
+def test_uvs_that_one_part_lacks_are_left_out(tmp_path):
     file = scene_of_two(tmp_path, transform=translation(1.0, 0.0, 0.0), other_uvs=None)
     assert load_mesh(file, unit_mm=1000.0).uvs is None
 
 
-def test_parts_whose_attributes_differ_in_shape_are_joined_without_them(tmp_path):
+def test_attributes_whose_shapes_differ_between_parts_are_left_out(tmp_path):
     n = len(BALL.positions)
     file = scene_of_two(
         tmp_path,
@@ -226,7 +227,7 @@ def test_normals_and_winding_follow_the_transform(tmp_path, linear):
 
 
 @pytest.mark.parametrize("suffix", UNITLESS)
-def test_a_file_without_a_unit_is_not_guessed(tmp_path, suffix):
+def test_a_format_without_a_unit_needs_unit_mm(tmp_path, suffix):
     file = exported(tmp_path, suffix)
     with pytest.raises(UnitError, match="give unit_mm") as caught:
         load_mesh(file)
@@ -241,7 +242,7 @@ def test_gltf_is_in_metres(tmp_path, suffix):
 
 
 @pytest.mark.parametrize("scale", [0.02, 20.0])
-def test_gltf_of_implausible_size_warns_and_says_what_to_do(tmp_path, scale):
+def test_gltf_of_implausible_size_warns_with_the_remedy(tmp_path, scale):
     file = exported(tmp_path, ".glb", scale=scale)
     with pytest.warns(UnitWarning, match="give unit_mm") as caught:
         mesh = load_mesh(file)
@@ -258,14 +259,14 @@ def test_gltf_of_plausible_size_does_not_warn(tmp_path, scale):
     assert mesh.unit_mm == 1000.0
 
 
-def test_a_stated_unit_is_believed_without_a_warning(tmp_path):
+def test_a_given_unit_is_used_without_a_warning(tmp_path):
     mesh = load_mesh(exported(tmp_path, ".glb", scale=100.0), unit_mm=10.0)
     assert mesh.unit_mm == 10.0
 
 
 @pytest.mark.parametrize("unit_mm", [0.0, -10.0, np.nan, np.inf, "cm"])
 @pytest.mark.parametrize("suffix", [".glb", ".obj"])
-def test_a_unit_that_cannot_be_is_refused(tmp_path, suffix, unit_mm):
+def test_an_invalid_unit_is_refused(tmp_path, suffix, unit_mm):
     file = exported(tmp_path, suffix)
     with pytest.raises(UnitError) as caught:
         load_mesh(file, unit_mm=unit_mm)

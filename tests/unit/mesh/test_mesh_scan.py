@@ -1,4 +1,4 @@
-"""The scanned head: known counts and size, and the same surface from both its files."""
+"""The scanned head: known counts and size, and the same surface from two files."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ def test_the_scan_has_its_known_counts_and_size(glb):
     assert np.abs(extent - SIZE_MM).max() <= tol.SCAN_SIZE_MM.value
 
 
-def test_both_files_are_one_surface(glb, obj):
+def test_both_files_hold_the_same_surface(glb, obj):
     assert len(obj.faces) == len(glb.faces)
     extent = np.ptp(obj.positions_mm, axis=0) - np.ptp(glb.positions_mm, axis=0)
     assert np.abs(extent).max() <= tol.SCAN_FILES_AGREE_MM.value
@@ -52,7 +52,7 @@ def test_both_files_are_one_surface(glb, obj):
     assert weld(glb.positions)[1].size == weld(obj.positions)[1].size == 8844
 
 
-def test_both_files_keep_their_uvs(glb, obj):
+def test_both_files_have_uvs_of_equal_scale(glb, obj):
     assert obj.uvs is not None
     scales = [mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces) for mesh in (glb, obj)]
     assert scales[1] == pytest.approx(scales[0], rel=0.02)
@@ -69,30 +69,30 @@ def test_both_files_have_the_same_curvature(glb, obj):
     assert np.abs(gap).max() <= tol.SCAN_CURVATURE.value * scale
 
 
-def test_the_scans_curvature_is_that_of_a_head(glb):
+def test_the_curvature_of_the_scan_is_plausible_for_a_head(glb):
     curvature = mesh_curvature(glb.positions_mm, glb.faces, glb.normals)
     assert np.isfinite(curvature).all()
-    # Hollows as sharp as a nostril, folds as sharp as an ear's rim, half of it as flat as a brow.
+    # Concave as a nostril, convex as the rim of an ear, and half of the head as flat as a brow.
     low, middle, high = np.percentile(curvature, [1, 50, 99])
     assert -1.0 < low < -0.1
     assert 0.0 < middle < 0.02
     assert 0.1 < high < 1.0
 
 
-def test_both_sides_of_the_scans_seams_have_one_curvature(glb):
+def test_vertices_split_at_seams_have_equal_curvature(glb):
     group, first = weld(glb.positions)
     curvature = mesh_curvature(glb.positions_mm, glb.faces, glb.normals)
     assert len(first) < len(group)
     assert np.array_equal(curvature, curvature[first][group])
 
 
-def test_the_scans_normals_are_near_those_of_its_surface(glb):
+def test_curvature_by_computed_normals_is_near_that_by_stored_normals(glb):
     own = mesh_curvature(glb.positions_mm, glb.faces)
     given = mesh_curvature(glb.positions_mm, glb.faces, glb.normals)
     assert shapes.relative_rms(own, given) < 0.5
 
 
-def test_the_scans_diffused_normals_are_shorter_where_it_bends(glb, deon):
+def test_diffused_normals_of_the_scan_are_shorter_at_high_curvature(glb, deon):
     diffused = diffuse_on_mesh(glb.positions_mm, glb.faces, glb.normals, deon, tolerance=1e-4)
     normals = np.swapaxes(diffused, 1, 2)
     length = np.linalg.norm(normals, axis=-1)
@@ -104,11 +104,13 @@ def test_the_scans_diffused_normals_are_shorter_where_it_bends(glb, deon):
     assert (np.median(length[sharp], axis=0)[:-1] < np.median(length[sharp], axis=0)[1:]).all()
 
 
-def test_the_scan_in_metres_would_be_a_statue_and_warns(data_dir):
-    with pytest.warns(UnitWarning, match=r"in metres, as glTF prescribes, it is 12\.8 m across"):
+def test_the_scan_in_metres_is_implausibly_large_and_warns(data_dir):
+    with pytest.warns(
+        UnitWarning, match=r"in metres, the unit of glTF, the object is 12\.8 m across"
+    ):
         load_mesh(data_dir / "lps" / "LeePerrySmith.glb")
 
 
-def test_the_scans_obj_needs_its_unit(data_dir):
-    with pytest.raises(UnitError, match="do not say their unit"):
+def test_the_obj_of_the_scan_needs_unit_mm(data_dir):
+    with pytest.raises(UnitError, match="do not state their unit"):
         load_mesh(data_dir / "lps" / "head.obj")

@@ -1,4 +1,4 @@
-"""Thickness by rays: slabs, spheres and shells whose value is known, holes, units, motions."""
+"""Thickness by rays: slabs, spheres and shells of known thickness, holes, units, rigid motion."""
 
 import importlib.util
 
@@ -28,7 +28,7 @@ from tolerances import (
 EMBREE = importlib.util.find_spec("embreex") is not None
 TRACINGS = [
     "builtin",
-    pytest.param("embree", marks=pytest.mark.skipif(not EMBREE, reason="embreex is not there")),
+    pytest.param("embree", marks=pytest.mark.skipif(not EMBREE, reason="embreex is not installed")),
 ]
 EVERY_TRACING = pytest.mark.parametrize("tracing", TRACINGS)
 
@@ -39,48 +39,49 @@ def slab(width, height):
 
 
 def mean_over_cone(across, cone_deg):
-    """The mean of across(cos θ, sin² θ) over a cone, by the cosine: sin² θ is evenly spread."""
-    most = np.sin(np.radians(cone_deg)) ** 2
-    return quad(lambda s: across(np.sqrt(1.0 - s), s), 0.0, most, limit=200)[0] / most
+    """Return the cosine-weighted mean of a function of cos θ and sin² θ over a cone."""
+    greatest = np.sin(np.radians(cone_deg)) ** 2  # sin² θ is uniform over the cone
+    integral, _ = quad(lambda s: across(np.sqrt(1.0 - s), s), 0.0, greatest, limit=200)
+    return integral / greatest
 
 
-# -- shapes whose value is known -------------------------------------------------------------------
+# -- shapes of known thickness ---------------------------------------------------------------------
 
 
 @EVERY_TRACING
 @pytest.mark.parametrize("cone_deg", [5.0, 30.0, 45.0, 80.0])
-def test_a_sphere_is_r_times_one_plus_cos2(tracing, cone_deg):
+def test_the_thickness_of_a_sphere_is_r_times_1_plus_cos2(tracing, cone_deg):
     ball = shapes.sphere("icosphere", 4, 7.0)
-    some = np.arange(0, len(ball.positions), 40)
-    found = mesh_thickness(
+    subset = np.arange(0, len(ball.positions), 40)
+    thickness = mesh_thickness(
         ball.positions,
         ball.faces,
-        ball.normals[some],
-        points=ball.positions[some],
+        ball.normals[subset],
+        points=ball.positions[subset],
         cone_deg=cone_deg,
         tracing=tracing,
     )
     truth = 7.0 * (1.0 + np.cos(np.radians(cone_deg)) ** 2)
-    np.testing.assert_allclose(found, truth, rtol=THICKNESS.value)
+    np.testing.assert_allclose(thickness, truth, rtol=THICKNESS.value)
 
 
 @EVERY_TRACING
 @pytest.mark.parametrize("cone_deg", [1.0, 45.0, 60.0])
 @pytest.mark.parametrize("count", [1, 64])
-def test_a_slab_is_exactly_as_thick_as_it_is(tracing, cone_deg, count):
+def test_the_thickness_of_a_slab_is_exact(tracing, cone_deg, count):
     positions, faces = slab(100.0, 3.0)
     at = np.array([[1.0, 2.0, 1.5], [-7.0, 3.0, 1.5], [5.0, 5.0, -1.5]])
     normals = np.array([[0, 0, 1.0], [0, 0, 1.0], [0, 0, -1.0]])
-    found = mesh_thickness(
+    thickness = mesh_thickness(
         positions, faces, normals, points=at, rays=count, cone_deg=cone_deg, tracing=tracing
     )
     within = ROUNDING_SUMS if tracing == "builtin" else EMBREE_THICKNESS
-    np.testing.assert_allclose(found, 3.0, rtol=within.value)
+    np.testing.assert_allclose(thickness, 3.0, rtol=within.value)
 
 
 @pytest.fixture(scope="module")
 def shell():
-    """A body between two spheres, the inner one wound inwards: outer points, then inner ones."""
+    """Return the body between two spheres: outer vertices, then inner ones, wound inwards."""
     outer, inner = shapes.sphere("icosphere", 4, 10.0), shapes.sphere("icosphere", 4, 7.0)
     positions = np.concatenate([outer.positions, inner.positions])
     faces = np.concatenate([outer.faces, inner.faces[:, ::-1] + len(outer.positions)])
@@ -88,11 +89,11 @@ def shell():
 
 
 @EVERY_TRACING
-def test_a_shell_ends_at_its_first_wall(shell, tracing):
+def test_rays_in_a_shell_end_at_the_first_wall(shell, tracing):
     positions, faces, normals = shell
-    some = np.arange(0, len(positions), 61)
-    found = mesh_thickness(
-        positions, faces, normals[some], points=positions[some], rays=512, tracing=tracing
+    subset = np.arange(0, len(positions), 61)
+    thickness = mesh_thickness(
+        positions, faces, normals[subset], points=positions[subset], rays=512, tracing=tracing
     )
 
     def inwards(cosine, s):
@@ -102,75 +103,75 @@ def test_a_shell_ends_at_its_first_wall(shell, tracing):
     def outwards(cosine, s):
         return cosine * (np.sqrt(100.0 - 49.0 * s) - 7.0 * cosine)
 
-    is_outer = some < len(positions) // 2
+    is_outer = subset < len(positions) // 2
     np.testing.assert_allclose(
-        found[is_outer], mean_over_cone(inwards, 45.0), rtol=THICKNESS_FEW_RAYS.value
+        thickness[is_outer], mean_over_cone(inwards, 45.0), rtol=THICKNESS_FEW_RAYS.value
     )
     np.testing.assert_allclose(
-        found[~is_outer], mean_over_cone(outwards, 45.0), rtol=THICKNESS_FEW_RAYS.value
+        thickness[~is_outer], mean_over_cone(outwards, 45.0), rtol=THICKNESS_FEW_RAYS.value
     )
 
 
 @EVERY_TRACING
-def test_what_lies_beyond_a_gap_does_not_count(tracing):
+def test_a_body_beyond_a_gap_does_not_count(tracing):
     near, faces = slab(100.0, 3.0)
     positions = np.concatenate([near, near - (0.0, 0.0, 20.0)])
     both = np.concatenate([faces, faces + len(near)])
-    found = mesh_thickness(
+    thickness = mesh_thickness(
         positions, both, [[0.0, 0.0, 1.0]], points=[[0.3, 0.2, 1.5]], tracing=tracing
     )
-    np.testing.assert_allclose(found, 3.0, rtol=EMBREE_THICKNESS.value)
+    np.testing.assert_allclose(thickness, 3.0, rtol=EMBREE_THICKNESS.value)
 
 
 @EVERY_TRACING
-def test_a_wall_that_a_ray_enters_by_is_passed(tracing):
+def test_a_face_that_a_ray_enters_through_does_not_end_it(tracing):
     outer, faces = slab(100.0, 3.0)
-    inner, _ = slab(50.0, 1.0)  # an eyeball in its head: what is left first is the inner body
+    inner, _ = slab(50.0, 1.0)  # a body inside another, as an eyeball in a head
     both = np.concatenate([faces, faces + len(outer)])
-    found = mesh_thickness(
+    thickness = mesh_thickness(
         np.concatenate([outer, inner]),
         both,
         [[0.0, 0.0, 1.0]],
         points=[[0.3, 0.2, 1.5]],
         tracing=tracing,
     )
-    np.testing.assert_allclose(found, 2.0, rtol=EMBREE_THICKNESS.value)
+    np.testing.assert_allclose(thickness, 2.0, rtol=EMBREE_THICKNESS.value)
 
 
 @EVERY_TRACING
-def test_rays_through_a_hole_count_for_nothing(tracing):
+def test_rays_through_a_hole_do_not_count(tracing):
     ball = shapes.sphere("icosphere", 4, 1.0)
     upper = ball.faces[(ball.positions[ball.faces][:, :, 2] > -1e-9).all(axis=1)]
     rim = np.abs(ball.positions[:, 2]) < 1e-9
     assert rim.sum() > 20
-    some = np.append(np.flatnonzero(rim), np.argmax(ball.positions[:, 2]))
+    subset = np.append(np.flatnonzero(rim), np.argmax(ball.positions[:, 2]))
     *at_rim, at_pole = mesh_thickness(
         ball.positions,
         upper,
-        ball.normals[some],
-        points=ball.positions[some],
+        ball.normals[subset],
+        points=ball.positions[subset],
         rays=256,
         tracing=tracing,
     )
-    # Half of a rim's rays meet the wall, and they are those of the sphere.
+    # Half of the rays of a rim vertex hit the wall, as in the sphere.
     np.testing.assert_allclose(at_rim, 1.5, rtol=THICKNESS_HALF_CONE.value)
-    # All of the pole's leave through the hole: it is as thick as the body is large.
+    # All rays of the pole leave through the hole: its thickness is the size of the body.
     assert at_pole == np.linalg.norm(np.ptp(ball.positions, axis=0))
 
 
-def test_a_face_that_is_turned_does_not_make_a_hole():
+def test_reversed_faces_are_no_holes():
     ball = shapes.sphere("icosphere", 3, 1.0)
     faces = ball.faces.copy()
     faces[::7] = faces[::7, ::-1]
-    found = mesh_thickness(ball.positions, faces, ball.normals, tracing="builtin")
-    np.testing.assert_allclose(found, 1.5, rtol=THICKNESS_FEW_RAYS.value)
+    thickness = mesh_thickness(ball.positions, faces, ball.normals, tracing="builtin")
+    np.testing.assert_allclose(thickness, 1.5, rtol=THICKNESS_FEW_RAYS.value)
 
 
-# -- the two ways of casting -----------------------------------------------------------------------
+# -- ray casters -----------------------------------------------------------------------------------
 
 
-@pytest.mark.skipif(not EMBREE, reason="embreex is not there")
-def test_embree_finds_the_walls_of_the_built_in(shell):
+@pytest.mark.skipif(not EMBREE, reason="embreex is not installed")
+def test_embree_finds_the_walls_that_the_builtin_caster_finds(shell):
     positions, faces, _ = shell
     random = np.random.default_rng(3)
     direction = random.normal(size=(4000, 3))
@@ -185,7 +186,7 @@ def test_embree_finds_the_walls_of_the_built_in(shell):
 
 
 @EVERY_TRACING
-def test_rays_that_meet_nothing_go_on_forever(tracing):
+def test_rays_that_hit_no_wall_have_infinite_distance(tracing):
     positions, faces = slab(2.0, 2.0)
     caster = open_caster(positions, faces, tracing)
     origins = np.array([[0.0, 0.0, 5.0], [0.2, 0.1, 0.0], [5.0, 5.0, 0.0]])
@@ -193,21 +194,21 @@ def test_rays_that_meet_nothing_go_on_forever(tracing):
     np.testing.assert_allclose(caster.exit_distances(origins, directions), [np.inf, 1.0, np.inf])
 
 
-def test_many_faces_on_top_of_each_other_are_met_by_parts(monkeypatch):
-    """Every ray meets the boxes of all of them: the pairs of one batch took memory without a bound."""
+def test_coincident_faces_are_intersected_in_batches(monkeypatch):
+    """Every ray intersects the boxes of all of them; batches bound the memory for the pairs."""
     positions, faces = slab(100.0, 3.0)
     pile = np.tile(faces, (40, 1))
     caster = casting.Hierarchy(positions, pile)
-    most = []
-    whole = casting.Hierarchy._nearest
+    counts = []
+    nearest = casting.Hierarchy._nearest
     monkeypatch.setattr(casting, "MOST_PAIRS", 500)
     monkeypatch.setattr(
-        casting.Hierarchy, "_nearest", lambda *a: most.append(len(a[3])) or whole(*a)
+        casting.Hierarchy, "_nearest", lambda *a: counts.append(len(a[3])) or nearest(*a)
     )
     origins = np.random.default_rng(1).uniform(-1.0, 1.0, (64, 3))
-    found = caster.exit_distances(origins, np.tile([0.0, 0.0, 1.0], (64, 1)))
-    np.testing.assert_allclose(found, 1.5 - origins[:, 2], rtol=ROUNDING_SUMS.value)
-    assert max(most) <= 500
+    distances = caster.exit_distances(origins, np.tile([0.0, 0.0, 1.0], (64, 1)))
+    np.testing.assert_allclose(distances, 1.5 - origins[:, 2], rtol=ROUNDING_SUMS.value)
+    assert max(counts) <= 500
 
 
 # -- units, motions, chunks ------------------------------------------------------------------------
@@ -215,24 +216,24 @@ def test_many_faces_on_top_of_each_other_are_met_by_parts(monkeypatch):
 
 @EVERY_TRACING
 @pytest.mark.parametrize("unit", [1e-25, 1e-6, 1000.0, 1e14])
-def test_it_scales_with_the_unit(tracing, unit):
+def test_thickness_scales_with_the_unit(tracing, unit):
     ball = shapes.ellipsoid("icosphere", 2, (1.0, 0.7, 0.5))
-    found, scaled = (
+    thickness, scaled = (
         mesh_thickness(ball.positions * k, ball.faces, ball.normals, rays=16, tracing=tracing)
         for k in (1.0, unit)
     )
     within = ROUNDING_SUMS if tracing == "builtin" else EMBREE_THICKNESS
-    np.testing.assert_allclose(scaled / unit, found, rtol=within.value)
+    np.testing.assert_allclose(scaled / unit, thickness, rtol=within.value)
 
 
 @settings(max_examples=15)
 @given(seed=st.integers(0, 10_000), shift=st.floats(-1e3, 1e3))
-def test_a_rigid_motion_changes_nothing(seed, shift):
+def test_thickness_is_invariant_under_rigid_motion(seed, shift):
     ball = shapes.ellipsoid("icosphere", 3, (1.0, 0.8, 0.6))
     turn = Rotation.random(random_state=seed).as_matrix()
-    some = np.arange(0, len(ball.positions), 31)
+    subset = np.arange(0, len(ball.positions), 31)
     still, moved = (
-        mesh_thickness(p, ball.faces, n[some], points=p[some], rays=256, tracing="builtin")
+        mesh_thickness(p, ball.faces, n[subset], points=p[subset], rays=256, tracing="builtin")
         for p, n in (
             (ball.positions, ball.normals),
             (ball.positions @ turn.T + (shift, 0.0, -shift), ball.normals @ turn.T),
@@ -241,31 +242,31 @@ def test_a_rigid_motion_changes_nothing(seed, shift):
     np.testing.assert_allclose(moved, still, rtol=THICKNESS_FEW_RAYS.value)
 
 
-def test_chunks_leave_no_seam_and_progress_ends_at_one(monkeypatch):
+def test_chunks_do_not_change_the_result_and_progress_increases_to_1(monkeypatch):
     ball = shapes.sphere("icosphere", 2)
     whole = mesh_thickness(ball.positions, ball.faces, ball.normals, rays=8, tracing="builtin")
     monkeypatch.setattr(module, "CHUNK", 100)
-    told = []
+    fractions = []
     parts = mesh_thickness(
         ball.positions,
         ball.faces,
         ball.normals,
         rays=8,
         tracing="builtin",
-        progress=lambda what, share: told.append(share),
+        progress=lambda what, share: fractions.append(share),
     )
     np.testing.assert_array_equal(parts, whole)
-    assert told == sorted(told)
-    assert told[-1] == 1.0
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
 
 
-# -- what is refused -------------------------------------------------------------------------------
+# -- refused arguments -----------------------------------------------------------------------------
 
 BALL = shapes.sphere("icosphere", 1)
 
 
 @pytest.mark.parametrize(
-    ("wrong", "said"),
+    ("wrong", "message"),
     [
         ({"rays": 0}, "rays is 0"),
         ({"rays": 4097}, "rays is 4097"),
@@ -281,12 +282,12 @@ BALL = shapes.sphere("icosphere", 1)
         ({"faces": BALL.faces + 1}, "faces"),
         ({"faces": BALL.faces * 1.0}, "faces"),
         ({"normals": BALL.normals[:3]}, "normals"),
-        ({"points": BALL.positions}, "normals: points need theirs"),
+        ({"points": BALL.positions}, "normals: give the normals of the points"),
         ({"points": [[0.0, 0.0]], "normals": [[0, 0, 1]]}, "points"),
     ],
 )
-def test_a_bad_argument_is_named(wrong, said):
-    with pytest.raises(ArgumentError, match=said):
+def test_a_bad_argument_is_named(wrong, message):
+    with pytest.raises(ArgumentError, match=message):
         mesh_thickness(**({"positions": BALL.positions, "faces": BALL.faces} | wrong))
 
 

@@ -13,13 +13,13 @@ UVS = FLAT.positions[:, :2]
 
 
 @given(st.floats(1e-3, 1e4), st.floats(1e-3, 10.0), st.floats(-np.pi, np.pi))
-def test_an_evenly_scaled_map_has_its_scale_however_it_is_turned(side, tile, angle):
+def test_a_uniform_map_has_its_scale_at_any_rotation(side, tile, angle):
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     scale = mesh_uv_scale(FLAT.positions * side, UVS @ turn * tile + 0.5, FLAT.faces)
     assert scale == pytest.approx(side / tile, rel=tol.ROUNDING_SUMS.value)
 
 
-def test_the_mean_over_triangles_is_geometric():
+def test_the_scale_is_the_geometric_mean_over_triangles():
     positions = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 0, 0], [13, 0, 0], [5, 8, 0]])
     uvs = np.array([[0.0, 0], [1, 0], [0, 1], [0, 0], [1, 0], [0, 1]])
     faces = np.array([[0, 1, 2], [3, 4, 5]])
@@ -28,7 +28,7 @@ def test_the_mean_over_triangles_is_geometric():
     assert mesh_uv_scale(positions, uvs, thrice) == pytest.approx(8.0**0.25)
 
 
-def test_the_longest_edges_count():
+def test_the_scale_is_the_ratio_of_the_longest_edges():
     positions = np.array([[0.0, 0, 0], [3, 0, 0], [0, 4, 0]])
     uvs = np.array([[0.0, 0], [0.3, 0], [0, 0.4]])
     assert mesh_uv_scale(positions, uvs, [[0, 1, 2]]) == pytest.approx(5.0 / 0.5)
@@ -45,8 +45,8 @@ def test_the_order_of_corners_does_not_matter():
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_a_million_triangles_sum_without_loss(kind):
-    # In float32 the sum of logarithms stops growing long before it is complete.
+def test_a_million_triangles_are_summed_in_float64(kind):
+    # In float32 the sum of so many logarithms loses precision.
     faces = np.tile(FLAT.faces, (10_000, 1))
     scale = mesh_uv_scale((FLAT.positions * 1024.0).astype(kind), UVS.astype(kind), faces)
     one = mesh_uv_scale((FLAT.positions * 1024.0).astype(kind), UVS.astype(kind), FLAT.faces)
@@ -55,7 +55,7 @@ def test_a_million_triangles_sum_without_loss(kind):
     assert scale == pytest.approx(1024.0, rel=tol.FLOAT32.value)
 
 
-def test_triangles_without_extent_do_not_count():
+def test_triangles_without_extent_are_left_out():
     positions = np.vstack([FLAT.positions, [[9.0, 9, 9]] * 3])
     uvs = np.vstack([UVS, [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]]])
     n = len(UVS)
@@ -74,7 +74,7 @@ def test_triangles_without_extent_do_not_count():
     ],
     ids=["no map", "no surface", "no faces"],
 )
-def test_without_a_triangle_there_is_no_scale(positions, uvs, faces):
+def test_a_mesh_without_a_usable_triangle_is_refused(positions, uvs, faces):
     with pytest.raises(MeshError, match="unwrap the mesh first"):
         mesh_uv_scale(positions, uvs, faces)
 

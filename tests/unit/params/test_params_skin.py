@@ -2,21 +2,25 @@ from dataclasses import FrozenInstanceError, fields, replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from skinshade._core.errors import ArgumentError
 from skinshade.params import SkinParams
 from skinshade.params.fields import meaning
+from skinshade.params.gloss import POWER_OCTAVES, gloss_from_roughness
+from tolerances import ROUNDING, ROUNDING_SUMS
 
 FIELDS = fields(SkinParams)
-each_field = pytest.mark.parametrize("field", FIELDS, ids=lambda field: field.name)
+EVERY_FIELD = pytest.mark.parametrize("field", FIELDS, ids=lambda field: field.name)
 
 
 def like(field, value):
     return (value,) * 3 if isinstance(field.default, tuple) else value
 
 
-@each_field
-def test_a_field_says_what_it_is(field):
+@EVERY_FIELD
+def test_a_field_has_unit_range_and_description(field):
     m = meaning(field)
     assert m.low < m.high
     assert m.about.endswith(".")
@@ -26,8 +30,8 @@ def test_a_field_says_what_it_is(field):
     assert not (m.unit == "1" and field.name.endswith("mm"))
 
 
-@each_field
-def test_the_ends_of_a_range_are_allowed_and_no_more(field):
+@EVERY_FIELD
+def test_a_value_outside_the_closed_range_is_refused(field):
     m = meaning(field)
     for value in (m.low, m.high):
         assert getattr(replace(SkinParams(), **{field.name: like(field, value)}), field.name) == (
@@ -40,10 +44,10 @@ def test_the_ends_of_a_range_are_allowed_and_no_more(field):
         assert f"[{m.low:g}, {m.high:g}]" in str(caught.value)
 
 
-@each_field
-def test_one_bad_channel_of_three_is_enough(field):
-    if not isinstance(field.default, tuple):
-        return
+@pytest.mark.parametrize(
+    "field", [field for field in FIELDS if isinstance(field.default, tuple)], ids=lambda f: f.name
+)
+def test_one_channel_outside_the_range_is_refused(field):
     for channel in range(3):
         values = [meaning(field).low] * 3
         values[channel] = meaning(field).high * 2.0 + 1.0
@@ -51,17 +55,73 @@ def test_one_bad_channel_of_three_is_enough(field):
             replace(SkinParams(), **{field.name: tuple(values)})
 
 
-@each_field
+@EVERY_FIELD
 def test_defaults_are_within_their_range(field):
     values = np.atleast_1d(field.default)
     assert (values >= meaning(field).low).all()
     assert (values <= meaning(field).high).all()
 
 
-def test_parameters_do_not_change_once_checked():
+def test_parameters_are_immutable():
     with pytest.raises(FrozenInstanceError):
         SkinParams().gloss = 2.0
 
 
-def test_the_reflectance_of_skin_is_that_of_its_index():
+def test_the_default_reflectance_is_that_of_index_1_4():
     assert SkinParams().reflectance == pytest.approx(((1.4 - 1.0) / (1.4 + 1.0)) ** 2, abs=5e-4)
+
+
+# -- roughness instead of gloss --------------------------------------------------------------------
+
+
+@given(st.floats(0.15, 1.0))
+def test_roughness_gives_the_gloss_of_equal_width(roughness):
+    """A Blinn-Phong lobe is as wide as GGX at a power of 2/r⁴ − 2 [Walter2007]."""
+    power = 2.0 / roughness**4 - 2.0
+    gloss = SkinParams(roughness=roughness).gloss
+    if power >= 1.0:
+        assert gloss * POWER_OCTAVES == pytest.approx(np.log2(power), abs=ROUNDING_SUMS.value)
+    else:
+        assert gloss == 0.0
+
+
+def test_roughness_equals_the_gloss_that_it_stands_for():
+    params = SkinParams(roughness=0.45)
+    assert type(params.gloss) is float
+    assert params == SkinParams(gloss=params.gloss)
+    assert params.pack() == SkinParams(gloss=params.gloss).pack()
+    assert SkinParams(roughness=None) == SkinParams()
+
+
+@pytest.mark.parametrize(("roughness", "gloss"), [(0.0, 1.0), (1e-9, 1.0), (1.0, 0.0)])
+def test_the_ends_of_roughness_are_the_ends_of_gloss(roughness, gloss):
+    assert SkinParams(roughness=roughness).gloss == gloss
+
+
+@given(st.floats(0.0, 1.0), st.floats(0.0, 1.0))
+def test_gloss_decreases_with_roughness(one, other):
+    low, high = sorted((one, other))
+    assert SkinParams(roughness=low).gloss >= SkinParams(roughness=high).gloss
+
+
+@pytest.mark.parametrize("bad", [-1e-9, 1.0 + 1e-9, np.nan, np.inf, "rough", (0.3, 0.4, 0.5)])
+def test_a_roughness_outside_0_to_1_is_refused(bad):
+    with pytest.raises(ArgumentError, match="roughness"):
+        SkinParams(roughness=bad)
+
+
+def test_roughness_is_no_field_and_other_parameters_are_checked_beside_it():
+    assert "roughness" not in [field.name for field in FIELDS]
+    with pytest.raises(ArgumentError, match="reflectance"):
+        SkinParams(roughness=0.5, reflectance=2.0)
+    changed = replace(SkinParams(roughness=0.45), reflectance=0.04)
+    assert changed.gloss == SkinParams(roughness=0.45).gloss
+
+
+@pytest.mark.parametrize("shape", [(), (4,), (2, 3)])
+def test_gloss_of_an_array_has_its_shape(shape):
+    roughness = np.linspace(0.2, 0.9, int(np.prod(shape))).reshape(shape)
+    gloss = gloss_from_roughness(roughness)
+    assert gloss.shape == shape
+    single = [SkinParams(roughness=value).gloss for value in roughness.ravel()]
+    assert np.allclose(gloss.ravel(), single, rtol=0, atol=ROUNDING.value)

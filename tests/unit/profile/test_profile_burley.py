@@ -21,13 +21,13 @@ ALBEDO, FREE_PATH_MM, DIFFUSE_FREE_PATH_MM = 0.623, 0.907, 4.82
         ("shape", 0.72, 0.72),
     ],
 )
-def test_each_kind_of_length_gives_the_shape_that_its_fit_prescribes(kind, length_mm, published_mm):
+def test_every_kind_of_length_gives_the_published_shape_length(kind, length_mm, published_mm):
     profile = Profile.burley(length_mm=length_mm, kind=kind, albedo=ALBEDO)
     assert np.abs(profile.kernel.d_mm - published_mm).max() <= tol.PUBLISHED_DIGIT.value * 0.01
 
 
 @given(st.floats(0.0, 0.99), st.floats(0.01, 10.0))
-def test_the_fits_are_those_of_the_paper(albedo, length):
+def test_the_scalings_are_those_of_the_paper(albedo, length):
     def shape(kind):
         return Profile.burley(length_mm=length, kind=kind, albedo=albedo).kernel.d_mm[0] / length
 
@@ -42,14 +42,14 @@ def test_the_fits_are_those_of_the_paper(albedo, length):
 
 
 @given(st.floats(0.01, 10.0))
-def test_the_rms_radius_is_root_fourteen_times_the_shape(d):
+def test_the_rms_radius_is_root_fourteen_times_the_shape_length(d):
     profile = Profile.burley(length_mm=(d, 2 * d, 3 * d), kind="shape", albedo=0.5)
     expected = np.sqrt(14.0) * d * np.array([1.0, 2.0, 3.0])
     assert np.allclose(profile.rms_radius_mm, expected, rtol=tol.ROUNDING.value)
 
 
 @pytest.mark.parametrize("r_over_d", [0.1, 0.5, 1.0, 3.0, 10.0])
-def test_the_light_within_a_radius_is_its_closed_form(r_over_d):
+def test_the_light_within_a_radius_has_its_closed_form(r_over_d):
     profile = Profile.burley(length_mm=(1.0, 0.3, 2.0), kind="shape", albedo=0.5)
     for channel, d in enumerate(profile.kernel.d_mm):
         within, _ = quad(
@@ -67,24 +67,24 @@ def test_the_profile_is_infinite_at_the_centre_without_a_warning():
     assert np.isposinf(profile.radial(0.0)).all()
 
 
-def test_each_channel_has_its_own_length():
+def test_channels_have_separate_lengths():
     profile = Profile.burley(length_mm=(1.0, 0.5, 0.25), kind="shape", albedo=0.5)
     one = Profile.burley(length_mm=0.5, kind="shape", albedo=0.5)
     assert np.allclose(profile.transfer(2.0)[1], one.transfer(2.0)[1], rtol=tol.ROUNDING.value)
 
 
 @pytest.mark.parametrize("kind", ["radius", "", "Shape", None, ["shape"]])
-def test_a_length_of_no_known_kind_is_refused_with_the_choices(kind):
+def test_an_unknown_kind_of_length_is_refused_with_the_choices(kind):
     with pytest.raises(ArgumentError, match=r"searchlight.*diffuse-mean-free-path"):
         Profile.burley(length_mm=1.0, kind=kind, albedo=0.5)
 
 
-def test_there_is_no_default_kind():
+def test_the_kind_has_no_default():
     with pytest.raises(TypeError, match="kind"):
         Profile.burley(length_mm=1.0, albedo=0.5)
 
 
 @pytest.mark.parametrize("length", [0.0, -1.0, np.nan, (1.0, 2.0), (1.0, 0.0, 1.0)])
-def test_a_length_is_positive(length):
+def test_a_length_that_is_not_positive_is_refused(length):
     with pytest.raises(ArgumentError, match="length_mm"):
         Profile.burley(length_mm=length, kind="shape", albedo=0.5)

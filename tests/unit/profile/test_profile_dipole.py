@@ -42,8 +42,8 @@ def test_the_mean_free_path_is_the_published_one(name, mm):
     assert within_printed_digits(depth, mm, 1e-3)
 
 
-def reflected_inwards(ior):
-    """Fresnel's equations averaged over diffuse light inside."""
+def internal_reflectance(ior):
+    """Return the mean of Fresnel's equations over diffuse light from inside."""
 
     def reflectance(cosine):
         sine = ior * np.sqrt(1.0 - cosine**2)
@@ -59,8 +59,8 @@ def reflected_inwards(ior):
 
 
 @pytest.mark.parametrize("ior", [1.1, 1.3, 1.4, 1.5])
-def test_the_boundary_reflects_what_fresnel_says(ior):
-    error = abs(fresnel_diffuse_reflectance(ior) - reflected_inwards(ior))
+def test_the_boundary_reflects_by_fresnels_equations(ior):
+    error = abs(fresnel_diffuse_reflectance(ior) - internal_reflectance(ior))
     assert error <= tol.FRESNEL_FIT.value
 
 
@@ -73,7 +73,7 @@ def test_a_matched_boundary_reflects_nothing():
 
 
 @given(COEFFICIENT, st.floats(1.0, 1.6))
-def test_a_medium_that_absorbs_nothing_returns_everything(scattering, ior):
+def test_a_medium_without_absorption_has_albedo_1(scattering, ior):
     profile = Profile.dipole(
         sigma_s_prime_per_mm=scattering, sigma_a_per_mm=1e-12 * scattering, ior=ior
     )
@@ -82,7 +82,7 @@ def test_a_medium_that_absorbs_nothing_returns_everything(scattering, ior):
 
 
 @given(COEFFICIENT, COEFFICIENT, st.floats(1.0, 3.0), st.floats(0.1, 10.0))
-def test_the_albedo_depends_on_the_ratio_of_the_coefficients_alone(s, a, ior, unit):
+def test_the_albedo_depends_only_on_the_ratio_of_the_coefficients(s, a, ior, unit):
     one = Profile.dipole(sigma_s_prime_per_mm=s, sigma_a_per_mm=a, ior=ior)
     other = Profile.dipole(sigma_s_prime_per_mm=s * unit, sigma_a_per_mm=a * unit, ior=ior)
     assert np.allclose(one.albedo, other.albedo, rtol=tol.ROUNDING_SUMS.value)
@@ -90,27 +90,27 @@ def test_the_albedo_depends_on_the_ratio_of_the_coefficients_alone(s, a, ior, un
 
 
 @given(COEFFICIENT, COEFFICIENT, st.floats(1.1, 3.0))
-def test_more_absorption_returns_less_from_less_far(s, a, more):
+def test_more_absorption_lowers_the_albedo_and_the_radius(s, a, more):
     pale = Profile.dipole(sigma_s_prime_per_mm=s, sigma_a_per_mm=a)
     dark = Profile.dipole(sigma_s_prime_per_mm=s, sigma_a_per_mm=a * more)
     assert (dark.albedo < pale.albedo).all()
     assert (dark.rms_radius_mm < pale.rms_radius_mm).all()
 
 
-def test_an_albedo_of_ones_own_replaces_the_dipoles():
+def test_a_given_albedo_replaces_that_of_the_dipole():
     profile = Profile.dipole(sigma_s_prime_per_mm=1.0, sigma_a_per_mm=0.1, albedo=(0.1, 0.2, 0.3))
     assert profile.albedo.tolist() == [0.1, 0.2, 0.3]
 
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, np.nan, (1.0, 1.0)])
 @pytest.mark.parametrize("name", ["sigma_s_prime_per_mm", "sigma_a_per_mm"])
-def test_coefficients_are_positive(name, bad):
+def test_coefficients_that_are_not_positive_are_refused(name, bad):
     values = {"sigma_s_prime_per_mm": 1.0, "sigma_a_per_mm": 1.0} | {name: bad}
     with pytest.raises(ArgumentError, match=name):
         Profile.dipole(**values)
 
 
 @pytest.mark.parametrize("ior", [0.9, 3.1, np.nan, (1.3, 1.3, 1.3)])
-def test_a_refractive_index_is_one_number_from_one_to_three(ior):
+def test_a_refractive_index_outside_1_to_3_is_refused(ior):
     with pytest.raises(ArgumentError, match="ior"):
         Profile.dipole(sigma_s_prime_per_mm=1.0, sigma_a_per_mm=1.0, ior=ior)

@@ -24,12 +24,12 @@ def keys_of_references(repository) -> set[str]:
     return set(re.findall(r"^\s*@\w+\s*\{\s*([^,\s]+)\s*,", text, flags=re.MULTILINE))
 
 
-def test_the_presets_are_those_promised_with_skin_first():
+def test_the_presets_are_those_documented_with_skin_first():
     assert presets() == ["skin-deon2007", "skin1", "skin2", "marble", "whole-milk"]
 
 
 @EVERY_PRESET
-def test_each_preset_states_its_source_kind_and_unit(name):
+def test_every_preset_states_its_source_kind_and_unit(name):
     record = preset_record(name)
     assert record["source"]
     assert record["kind"] in ("gaussians", "dipole", "burley")
@@ -40,12 +40,12 @@ def test_each_preset_states_its_source_kind_and_unit(name):
 
 
 @EVERY_PRESET
-def test_each_presets_source_is_in_the_references(name, repository):
+def test_the_source_of_every_preset_is_in_the_references(name, repository):
     assert preset_record(name)["source"] in keys_of_references(repository)
 
 
 @pytest.mark.parametrize("build", ["burley", "dipole"])
-def test_the_source_of_each_model_is_in_the_references(build, repository):
+def test_the_source_of_every_model_is_in_the_references(build, repository):
     arguments = {
         "burley": {"length_mm": 1.0, "kind": "shape", "albedo": 0.5},
         "dipole": {"sigma_s_prime_per_mm": 1.0, "sigma_a_per_mm": 0.1},
@@ -54,7 +54,7 @@ def test_the_source_of_each_model_is_in_the_references(build, repository):
 
 
 @EVERY_PRESET
-def test_a_preset_knows_its_name_and_source(name):
+def test_a_preset_has_its_name_and_source(name):
     profile = Profile.preset(name)
     assert profile.name == name
     assert profile.source == preset_record(name)["source"]
@@ -62,7 +62,7 @@ def test_a_preset_knows_its_name_and_source(name):
 
 
 @pytest.mark.parametrize("name", MEASURED)
-def test_the_media_are_as_measured(name):
+def test_the_media_have_the_measured_coefficients(name):
     scattering, absorption, ior = MEASURED[name]
     kernel = Profile.preset(name).kernel
     assert np.array_equal(kernel.sigma_s_prime_per_mm, scattering)
@@ -79,17 +79,17 @@ def test_the_six_gaussians_are_those_of_gpu_gems_3(deon):
     assert np.allclose(deon.kernel.weights.T, (red, green, blue), rtol=0, atol=tol.ROUNDING.value)
 
 
-def test_red_light_travels_farthest_in_skin():
+def test_the_rms_radius_in_skin_decreases_from_red_to_blue():
     for name in ("skin-deon2007", "skin1", "skin2"):
         assert (np.diff(Profile.preset(name).rms_radius_mm) < 0.0).all()
 
 
-def test_a_preset_can_be_asked_for_twice():
+def test_a_preset_can_be_built_twice():
     assert np.array_equal(Profile.preset("skin1").albedo, Profile.preset("skin1").albedo)
 
 
 @pytest.mark.parametrize("name", ["", "skin", "Skin1", None])
-def test_an_unknown_name_is_refused_with_the_known_ones(name):
+def test_an_unknown_name_is_refused_with_the_known_names(name):
     with pytest.raises(ArgumentError) as caught:
         Profile.preset(name)
     assert repr(name) in str(caught.value)

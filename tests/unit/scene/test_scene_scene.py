@@ -6,6 +6,7 @@ import pytest
 from shapes import square
 from skinshade._core.errors import ArgumentError
 from skinshade.mesh import Mesh
+from skinshade.params.gloss import gloss_from_roughness
 from skinshade.scene import Camera, Material, Scene
 
 CAMERA = Camera((0.0, 0.0, 100.0), (0.0, 0.0, 0.0))
@@ -14,8 +15,8 @@ MAPS = {"albedo": 3, "normal": 3, "specular": 2, "deep_scatter": 3}
 
 def sheet(uvs=False):
     plane = square(10.0, 1)
-    where = plane.positions[:, :2] / 10.0 if uvs else None
-    return Mesh.checked(plane.positions, plane.faces, unit_mm=1.0, uvs=where)
+    coordinates = plane.positions[:, :2] / 10.0 if uvs else None
+    return Mesh.checked(plane.positions, plane.faces, unit_mm=1.0, uvs=coordinates)
 
 
 @pytest.fixture
@@ -28,7 +29,7 @@ def test_one_number_is_a_grey_background(scene):
     assert scene.background.tolist() == [0.05, 0.05, 0.05]
 
 
-def test_changed_parameters_leave_the_rest_and_the_scene_before(scene):
+def test_with_params_changes_the_named_parameters_of_a_new_scene(scene):
     other = scene.with_params(gloss=0.7, scatter_scale=2.0)
     assert (other.material.params.gloss, other.material.params.scatter_scale) == (0.7, 2.0)
     assert other.material.params.reflectance == scene.material.params.reflectance
@@ -38,8 +39,14 @@ def test_changed_parameters_leave_the_rest_and_the_scene_before(scene):
         scene.with_params(gloss=2.0)
 
 
+def test_with_params_takes_a_roughness_in_place_of_a_gloss(scene):
+    rough = scene.with_params(roughness=0.45)
+    assert rough.material.params.gloss == float(gloss_from_roughness(0.45))
+    assert rough.with_params(scatter_scale=2.0).material.params.gloss == rough.material.params.gloss
+
+
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "message"),
     [
         ({"background": -0.1}, "background is -0.1"),
         ({"background": (0.1, np.nan, 0.1)}, r"background\[1\] is nan"),
@@ -49,19 +56,21 @@ def test_changed_parameters_leave_the_rest_and_the_scene_before(scene):
         ({"tone": "sepia"}, "tone is 'sepia'; .* filmic"),
     ],
 )
-def test_a_scene_that_cannot_be_is_refused_by_name(scene, change, said):
-    with pytest.raises(ArgumentError, match=said):
+def test_a_wrong_value_of_a_scene_is_an_error_that_names_it(scene, change, message):
+    with pytest.raises(ArgumentError, match=message):
         replace(scene, **change)
 
 
 @pytest.mark.parametrize("name", MAPS)
-def test_maps_need_uvs_and_one_colour_does_not(name):
-    def of(size, uvs):
-        picture = np.full((size, size, MAPS[name]), 0.5, dtype=np.float32)
-        return Scene(sheet(uvs), CAMERA, Material(**{name: picture}))
+def test_maps_need_uvs_and_one_texel_does_not(name):
+    def scene(size, uvs):
+        image = np.full((size, size, MAPS[name]), 0.5, dtype=np.float32)
+        return Scene(sheet(uvs), CAMERA, Material(**{name: image}))
 
-    with pytest.raises(ArgumentError, match="UVs"):
-        of(2, uvs=False)
-    assert of(2, uvs=True).mesh.uvs is not None
+    with pytest.raises(
+        ArgumentError, match="the mesh has no UVs, which the maps of the material need"
+    ):
+        scene(2, uvs=False)
+    assert scene(2, uvs=True).mesh.uvs is not None
     if name != "normal":
-        assert of(1, uvs=False).mesh.uvs is None
+        assert scene(1, uvs=False).mesh.uvs is None

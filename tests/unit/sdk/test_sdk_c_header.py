@@ -1,4 +1,4 @@
-"""The C header: the same bytes as Python's for any configuration, by a C and a C++ compiler."""
+"""The C header packs the same bytes as Python for any configuration, in C and in C++."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
+from codegen.blocks import LIBRARY_BLOCKS
 from gpu_device import tool_or_skip
-from skinshade.codegen.blocks import LIBRARY_BLOCKS
 from skinshade.params import BLOCKS
 from skinshade.params.fields import meaning
 
 COUNT = 200
 COMPILERS = {"gcc": ["gcc", "-std=c99", "-x", "c"], "g++": ["g++", "-std=c++11", "-x", "c++"]}
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
-HEADER = files("skinshade.shaders").joinpath("generated")
+GENERATED = files("skinshade").joinpath("shading/generated")
 
 PROGRAM = """
 #include "skinshade.h"
@@ -59,21 +59,30 @@ def stem_of(block):
     return block.removesuffix("Block").lower()
 
 
-def run(compiler, program, block, folder, given=b""):
+def run(compiler, program, block, folder, rows=b""):
+    """Compile and run a program; return its output and the lines of its error stream."""
     tool_or_skip(compiler)
     stem = stem_of(block)
     source, binary = folder / "program.c", folder / "program"
     source.write_text(program.format(stem=stem, upper=stem.upper()))
-    command = [*COMPILERS[compiler], *STRICT, f"-I{HEADER}", str(source), "-o", str(binary), "-lm"]
+    command = [
+        *COMPILERS[compiler],
+        *STRICT,
+        f"-I{GENERATED}",
+        str(source),
+        "-o",
+        str(binary),
+        "-lm",
+    ]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    ran = subprocess.run([str(binary)], input=given, capture_output=True)
+    ran = subprocess.run([str(binary)], input=rows, capture_output=True)
     assert ran.returncode == 0, ran.returncode
     return ran.stdout, ran.stderr.decode().splitlines()
 
 
-def drawn(block, seed):
-    """Random configurations as float32 rows, every limit among them."""
+def random_columns(block, seed):
+    """Return random float32 values of every field, (COUNT, size) each; rows 0 and 1 are the limits."""
     rng = np.random.default_rng(seed)
     columns = []
     for field in fields(BLOCKS[block]):
@@ -86,52 +95,51 @@ def drawn(block, seed):
 
 
 def packed_by_python(block, columns, row):
-    of = fields(BLOCKS[block])
-    given = {}
-    for field, column in zip(of, columns, strict=True):
+    arguments = {}
+    for field, column in zip(fields(BLOCKS[block]), columns, strict=True):
         m = meaning(field)
-        # A limit that float32 rounds outwards is within the range that C compares in float32.
+        # C compares in float32: a limit that float32 rounds outwards is within its range.
         values = tuple(min(max(float(v), m.low), m.high) for v in column[row])
-        given[field.name] = values if isinstance(field.default, tuple) else values[0]
-    return BLOCKS[block](**given).pack()
+        arguments[field.name] = values if isinstance(field.default, tuple) else values[0]
+    return BLOCKS[block](**arguments).pack()
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("block", LIBRARY_BLOCKS)
 def test_c_packs_the_same_bytes(block, compiler, tmp_path):
-    columns = drawn(block, 5)
-    given = np.concatenate(columns, axis=1).tobytes()
-    data, told = run(compiler, PROGRAM, block, tmp_path, given)
+    columns = random_columns(block, 5)
+    rows = np.concatenate(columns, axis=1).tobytes()
+    data, results = run(compiler, PROGRAM, block, tmp_path, rows)
     size = len(data) // COUNT
-    assert told == ["0 -"] * COUNT
+    assert results == ["0 -"] * COUNT
     for row in range(COUNT):
         assert data[row * size : (row + 1) * size] == packed_by_python(block, columns, row)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("block", LIBRARY_BLOCKS)
-def test_defaults_are_the_same_and_misuse_has_a_code(block, compiler, tmp_path):
-    data, told = run(compiler, DEFAULTS, block, tmp_path)
+def test_defaults_are_the_same_and_wrong_arguments_have_error_codes(block, compiler, tmp_path):
+    data, messages = run(compiler, DEFAULTS, block, tmp_path)
     assert data == BLOCKS[block]().pack()
-    assert told == ["the buffer is smaller than the block"]
+    assert messages == ["the buffer is smaller than the block"]
 
 
 @pytest.mark.parametrize("value", ["beyond", "nan", "inf"])
-def test_a_field_out_of_its_range_is_named(value, tmp_path):
+def test_a_field_out_of_its_range_is_reported_by_name(value, tmp_path):
     rows, names = [], []
     for at, field in enumerate(fields(BLOCKS["SkinBlock"])):
-        columns = [column[:1].copy() for column in drawn("SkinBlock", 1)]
+        columns = [column[:1].copy() for column in random_columns("SkinBlock", 1)]
         bad = {"beyond": meaning(field).high * 1.01 + 1.0, "nan": np.nan, "inf": np.inf}[value]
         columns[at][0, -1] = bad
         rows.append(np.concatenate(columns, axis=1))
         names.append(field.name)
-    _, told = run("gcc", PROGRAM, "SkinBlock", tmp_path, np.concatenate(rows).tobytes())
+    _, results = run("gcc", PROGRAM, "SkinBlock", tmp_path, np.concatenate(rows).tobytes())
     code = 4 if value == "beyond" else 3
-    assert told == [f"{code} {name}" for name in names]
+    assert results == [f"{code} {name}" for name in names]
 
 
-def test_the_header_explains_every_field_with_range_and_unit():
-    text = HEADER.joinpath("skinshade.h").read_text("utf-8")
+def test_the_header_gives_the_range_and_unit_of_every_field():
+    text = GENERATED.joinpath("skinshade.h").read_text("utf-8")
     for block in LIBRARY_BLOCKS:
         for field in fields(BLOCKS[block]):
             m = meaning(field)

@@ -1,3 +1,5 @@
+"""Blurred normals: weights of the fetches, mip levels, and the diffusion of the mesh's normals."""
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -34,7 +36,7 @@ def mixtures(draw):
 
 
 def response(blend, k=BAND):
-    """What the mix makes of relief of each frequency, (n, 3)."""
+    """Return the factor (n, 3) by which the mix multiplies relief of each frequency."""
     blurs = np.exp(-0.5 * np.square(k[:, None] * blend.sigmas_mm))
     return blend.weights[:, 0] + blurs @ blend.weights[:, 1:].T
 
@@ -46,7 +48,7 @@ def squared_error(profile, sigmas, weights):
 
 @FETCHES
 @given(profile=mixtures())
-def test_weights_share_out_one_normal_among_the_fetches(fetches, profile):
+def test_weights_are_not_negative_and_sum_to_one(fetches, profile):
     blend = normal_blend(profile, fetches=fetches)
     assert blend.weights.shape == (3, fetches)
     assert blend.sigmas_mm.shape == (fetches - 1,)
@@ -61,21 +63,21 @@ def test_three_fetches_follow_the_skin_profile_over_the_band(deon):
     assert np.sqrt(np.mean(np.square(error), axis=0)).max() <= tol.BLEND_RESIDUAL_RMS.value
 
 
-def test_three_fetches_of_skin_are_the_published_ones(deon):
+def test_three_fetches_of_skin_have_the_published_blurs_and_weights(deon):
     blend = normal_blend(deon)
     assert np.abs(blend.sigmas_mm / PUBLISHED_SIGMAS - 1.0).max() <= tol.BLEND_SIGMA.value
     assert np.abs(blend.weights - list(PUBLISHED.values())).max() <= tol.BLEND_WEIGHT.value
 
 
-def test_three_fetches_are_no_worse_than_the_published_ones(deon):
-    ours = response(normal_blend(deon)) - deon.transfer(BAND)
+def test_three_fetches_fit_the_profile_no_worse_than_the_published_weights(deon):
+    fitted = response(normal_blend(deon)) - deon.transfer(BAND)
     blurs = np.exp(-0.5 * np.square(BAND[:, None] * PUBLISHED_SIGMAS))
     weights = np.array(list(PUBLISHED.values()))
     published = weights[:, 0] + blurs @ weights[:, 1:].T - deon.transfer(BAND)
-    assert np.square(ours).sum() <= tol.BLEND_GRID.value * np.square(published).sum()
+    assert np.square(fitted).sum() <= tol.BLEND_GRID.value * np.square(published).sum()
 
 
-def test_two_fetches_of_skin_are_the_published_ones(deon):
+def test_two_fetches_of_skin_have_the_published_blur_and_weights(deon):
     blend = normal_blend(deon, fetches=2)
     assert blend.sigmas_mm[0] == pytest.approx(0.46, rel=tol.BLEND_SIGMA.value)
     assert np.abs(blend.weights[:, 1] - (0.87, 0.53, 0.37)).max() <= tol.TWO_FETCH_WEIGHT.value
@@ -85,31 +87,30 @@ def test_two_fetches_of_skin_are_the_published_ones(deon):
     profile=mixtures(),
     simplex=hnp.arrays(float, (50, 3), elements=st.floats(1e-3, 1.0)),
 )
-def test_no_other_weights_of_the_same_blurs_come_closer(profile, simplex):
+def test_no_other_weights_of_the_same_blurs_fit_better(profile, simplex):
     blend = normal_blend(profile)
-    ours = np.array(
+    error = np.array(
         [squared_error(profile, blend.sigmas_mm, w)[c] for c, w in enumerate(blend.weights)]
     )
-    for rival in simplex / simplex.sum(axis=1, keepdims=True):
-        theirs = squared_error(profile, blend.sigmas_mm, rival)
-        assert (np.sqrt(ours) <= np.sqrt(theirs) + tol.BLEND_OPTIMUM.value).all()
+    for weights in simplex / simplex.sum(axis=1, keepdims=True):
+        other_error = squared_error(profile, blend.sigmas_mm, weights)
+        assert (np.sqrt(error) <= np.sqrt(other_error) + tol.BLEND_OPTIMUM.value).all()
 
 
 @FETCHES
-def test_matter_that_scatters_within_a_pore_keeps_the_sharp_normal(fetches):
+def test_a_profile_narrower_than_any_relief_keeps_the_sharp_normal(fetches):
     opaque = Profile.gaussians(variances_mm2=[1e-6], weights=[[1.0, 1.0, 1.0]], albedo=0.5)
-    assert (
-        np.abs(response(normal_blend(opaque, fetches=fetches)) - 1.0).max() <= tol.BLEND_LIMIT.value
-    )
+    error = response(normal_blend(opaque, fetches=fetches)) - 1.0
+    assert np.abs(error).max() <= tol.BLEND_LIMIT.value
 
 
-def test_matter_that_scatters_beyond_a_wrinkle_keeps_only_the_widest_blur():
+def test_a_profile_wider_than_any_relief_removes_all_of_it():
     wide = Profile.gaussians(variances_mm2=[400.0], weights=[[1.0, 1.0, 1.0]], albedo=0.5)
     assert np.abs(response(normal_blend(wide))).max() <= tol.BLEND_LIMIT.value
 
 
 @pytest.mark.parametrize("name", presets())
-def test_a_third_fetch_never_hurts(name):
+def test_three_fetches_fit_a_preset_no_worse_than_two(name):
     profile = Profile.preset(name)
     two, three = (
         np.square(response(normal_blend(profile, fetches=n)) - profile.transfer(BAND)).sum()
@@ -118,7 +119,7 @@ def test_a_third_fetch_never_hurts(name):
     assert three <= two
 
 
-def test_a_wave_of_relief_is_damped_as_the_profile_damps_light(deon):
+def test_a_wave_of_relief_is_damped_by_the_transfer_function_of_the_profile(deon):
     blend = normal_blend(deon)
     x = np.linspace(0.0, 20.0, 401)
     for k in (1.5, 4.0, 12.0):
@@ -126,10 +127,10 @@ def test_a_wave_of_relief_is_damped_as_the_profile_damps_light(deon):
         fetched[..., 2] = 1.0
         for i, sigma in enumerate((0.0, *blend.sigmas_mm)):
             fetched[:, i, 0] = 0.3 * np.sin(k * x) * np.exp(-0.5 * (k * sigma) ** 2)
-        seen = blend_normals(fetched, blend)
+        blended = blend_normals(fetched, blend)
         truth = 0.3 * np.sin(k * x)[:, None] * deon.transfer(np.array(k))
-        assert np.abs(seen[..., 0] - truth).max() <= 0.3 * tol.BLEND_RESIDUAL.value
-        assert np.abs(seen[..., 2] - 1.0).max() <= tol.ROUNDING.value
+        assert np.abs(blended[..., 0] - truth).max() <= 0.3 * tol.BLEND_RESIDUAL.value
+        assert np.abs(blended[..., 2] - 1.0).max() <= tol.ROUNDING.value
 
 
 UNIT = hnp.arrays(float, (3, 3), elements=st.floats(-1.0, 1.0)).filter(
@@ -138,21 +139,21 @@ UNIT = hnp.arrays(float, (3, 3), elements=st.floats(-1.0, 1.0)).filter(
 
 
 @given(UNIT)
-def test_what_every_fetch_agrees_on_every_channel_sees(vectors):
+def test_equal_fetches_give_every_channel_the_same_normal(vectors):
     blend = normal_blend(Profile.preset("skin-deon2007"))
     for n in vectors / np.linalg.norm(vectors, axis=1)[:, None]:
         assert np.abs(blend_normals(np.stack([n, n, n]), blend) - n).max() <= tol.ROUNDING.value
 
 
 @given(UNIT)
-def test_a_mix_of_unit_normals_is_never_longer_than_one(vectors):
+def test_a_blend_of_unit_normals_is_never_longer_than_one(vectors):
     blend = normal_blend(Profile.preset("skin-deon2007"))
     unit = vectors / np.linalg.norm(vectors, axis=1)[:, None]
     assert np.linalg.norm(blend_normals(unit, blend), axis=1).max() <= 1.0 + tol.ROUNDING.value
 
 
-@given(UNIT, st.floats(0.1, 1.0))
-def test_a_flat_map_leaves_the_diffusion_of_the_mesh(vectors, length):
+@given(UNIT)
+def test_with_a_flat_map_or_an_undiffused_mesh_the_other_normal_is_the_result(vectors):
     normal = vectors[0] / np.linalg.norm(vectors[0])
     flat = np.tile(normal, (3, 1))
     assert np.abs(add_mesh_diffusion(flat, vectors, normal) - vectors).max() <= tol.ROUNDING.value
@@ -160,7 +161,7 @@ def test_a_flat_map_leaves_the_diffusion_of_the_mesh(vectors, length):
     assert np.abs(undiffused - vectors).max() <= tol.ROUNDING.value
 
 
-def test_relief_shortens_what_the_mesh_adds():
+def test_relief_multiplies_the_diffusion_of_the_mesh_by_its_length():
     normal, texture = np.array([0.0, 0.0, 1.0]), np.tile([0.0, 0.0, 0.5], (3, 1))
     mesh = np.tile([0.2, 0.0, 0.9], (3, 1))
     both = add_mesh_diffusion(texture, mesh, normal)
@@ -168,7 +169,7 @@ def test_relief_shortens_what_the_mesh_adds():
 
 
 @given(st.floats(0.01, 10.0), st.floats(1.0, 1000.0), st.integers(4, 14), st.floats(0.0, 12.0))
-def test_a_level_is_the_doubling_whose_texel_is_two_sigma(sigma, scale, octave, hardware):
+def test_the_texels_of_a_blur_level_are_two_sigma_wide(sigma, scale, octave, hardware):
     size = 2**octave
     level = float(blur_level(sigma, scale, size, np.array(hardware)))
     assert level >= max(hardware, 0.0)
@@ -177,6 +178,6 @@ def test_a_level_is_the_doubling_whose_texel_is_two_sigma(sigma, scale, octave, 
         assert blur_level(2.0 * sigma, scale, size, np.array(hardware)) == pytest.approx(level + 1)
 
 
-def test_a_blur_finer_than_a_texel_asks_for_no_level():
+def test_a_blur_narrower_than_a_texel_keeps_the_hardware_level():
     assert blur_level(1e-6, 100.0, 1024, np.array(0.0)) == 0.0
     assert blur_level(0.0, 100.0, 1024, np.array(3.5)) == 3.5

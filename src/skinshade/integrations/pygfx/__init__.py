@@ -1,4 +1,4 @@
-"""Skin as one more of pygfx's mesh materials.
+"""A skin material for pygfx meshes.
 
 ::
 
@@ -6,8 +6,9 @@
     head = pygfx.Mesh(skin_geometry(mesh), material, cast_shadow=True, receive_shadow=True)
     scene.add(head, skin_light(skinshade.DirectionalLight.from_angles(-38, 26, 1), mesh))
 
-The world is in mm. Lights and shadow maps are pygfx's own, every term of the lighting model skinshade's.
-Light that comes through the body needs a shadow map: a light and a mesh that cast, a mesh that receives.
+The world is in mm. pygfx provides lights and shadow maps; skinshade computes all terms of the lighting
+model. Deep scatter needs a shadow map: set ``cast_shadow`` of the light and of the mesh, and
+``receive_shadow`` of the mesh.
 """
 
 from ..._core.errors import BackendError
@@ -24,8 +25,8 @@ try:
     from .material import SkinMaterial
 except ImportError as error:
     raise BackendError(
-        f"pygfx {pygfx.__version__} is built otherwise than 0.17, which skinshade's material is"
-        f' written for ({error}): pip install "skinshade[pygfx]"'
+        f"pygfx {pygfx.__version__} differs from pygfx 0.17, which skinshade's material needs"
+        f' ({error}): pip install "skinshade[pygfx]"'
     ) from error
 
 __all__ = ["SkinMaterial", "skin_geometry", "skin_light"]

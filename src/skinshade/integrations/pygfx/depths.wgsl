@@ -1,5 +1,5 @@
-// What pygfx's maps of depths tell of a light: the wide shadow filter and the thickness, as
-// skinshade.render.cpu.shadow_map.ShadowMap has them.
+// Wide shadow filter and thickness of the body from pygfx's depth maps, as in skinshade.shading.shadow and
+// skinshade.shading.deep_scatter. The bindings are those of pygfx: comparison samplers and cube maps.
 
 struct SkinIncident {
     to_light: vec3<f32>,
@@ -8,12 +8,12 @@ struct SkinIncident {
     thickness_mm: f32,
 };
 
-// A light's camera, out of its matrix: either projection that pygfx has.
+// Camera of a light, recovered from its matrix; parallel or perspective.
 struct SkinView {
     right: vec3<f32>,
     up: vec3<f32>,
     forward: vec3<f32>,
-    projection: mat4x4<f32>, // rows; parallel depths count from the near plane
+    projection: mat4x4<f32>, // rows; depths of a parallel projection begin at the near plane
 };
 
 fn skinshade_row(m: mat4x4<f32>, i: i32) -> vec4<f32> {
@@ -29,8 +29,8 @@ fn skinshade_view(m: mat4x4<f32>) -> SkinView {
     v.up = normalize(skinshade_row(m, 1).xyz);
     v.forward = normalize(select(w.xyz, z.xyz, parallel));
     let slope = dot(z.xyz, v.forward);
-    let nothing = vec4<f32>(0.0);
-    v.projection = mat4x4<f32>(nothing, nothing, vec4<f32>(0.0, 0.0, slope, 0.0), vec4<f32>(0.0, 0.0, 0.0, 1.0));
+    let zero = vec4<f32>(0.0);
+    v.projection = mat4x4<f32>(zero, zero, vec4<f32>(0.0, 0.0, slope, 0.0), vec4<f32>(0.0, 0.0, 0.0, 1.0));
     if (!parallel) {
         v.projection[2].w = z.w - slope * w.w;
         v.projection[3] = vec4<f32>(0.0, 0.0, 1.0, 0.0);
@@ -38,31 +38,22 @@ fn skinshade_view(m: mat4x4<f32>) -> SkinView {
     return v;
 }
 
-// Where the filter is asked, and the plane that the receiver is there: change of depth per mm across.
+// Receiver of the wide filter: its position, and the increase of the plane's depth per mm to the right and down.
 struct SkinReceiver {
-    place: vec3<f32>,
+    position: vec3<f32>,
     slope: vec2<f32>,
 };
 
 fn skinshade_receiver(v: SkinView, s: SkinSurface, to_light: vec3<f32>) -> SkinReceiver {
-    let cosine = dot(s.mesh_normal, to_light);
-    let past = max(-cosine, 0.0);
-    let tangential = skin_unit_vectors(to_light - s.mesh_normal * cosine);
-    let upright = skin_unit_vectors(s.mesh_normal + to_light * past);
-    let hollow = saturate(1.0 + s.curvature_per_mm / {{ skin_hollow_per_mm }});
-    let steepest = 1.0 + ({{ skin_steepest_slope }} - 1.0) * hollow;
-    let slope = vec2<f32>(dot(v.right, upright), dot(v.up, upright)) / max(-dot(v.forward, upright), 1e-3);
-    let reach = min(past / max(s.curvature_per_mm, 1e-3), {{ skin_terminator_reach_mm }});
-    return SkinReceiver(s.position + tangential * reach, slope / max(length(slope) / steepest, 1.0));
+    return SkinReceiver(
+        skin_shadow_receiver(s.position, s.mesh_normal, to_light, s.curvature_per_mm),
+        skin_shadow_slope(s.mesh_normal, to_light, s.curvature_per_mm, v.right, v.up));
 }
 
-var<private> SKINSHADE_DISK : array<vec2<f32>, {{ skin_filter_taps }}> = array<vec2<f32>, {{ skin_filter_taps }}>(
-    {{ skin_filter_disk }});
-
-// A tap's place across the light, and how much deeper than the receiver it is compared.
+// Position of a tap, and in w the depth that receiver plane and bias add at the tap, mm.
 fn skinshade_tap(v: SkinView, r: SkinReceiver, tap: i32) -> vec4<f32> {
-    let across = SKINSHADE_DISK[tap] * vec2<f32>(0.5, -0.5) * u_skin.shadow_filter_width_mm;
-    return vec4<f32>(r.place + v.right * across.x + v.up * across.y, dot(r.slope, across) - {{ skin_bias_mm }});
+    let across = 0.5 * u_skin.shadow_filter_width_mm * SKIN_SHADOW_DISK_{{ skin_filter_taps }}[tap];
+    return vec4<f32>(r.position + v.right * across.x - v.up * across.y, dot(r.slope, across) - {{ skin_bias_mm }});
 }
 
 $$ if receive_shadow and num_dir_lights + num_spot_lights > 0
@@ -71,10 +62,10 @@ fn skinshade_filter(depths: texture_depth_2d_array, layer: i32, m: mat4x4<f32>, 
     let r = skinshade_receiver(v, s, to_light);
     var total = 0.0;
     for (var tap = 0; tap < {{ skin_filter_taps }}; tap++) {
-        let at = skinshade_tap(v, r, tap);
-        let clip = m * vec4<f32>(at.xyz, 1.0);
+        let point = skinshade_tap(v, r, tap);
+        let clip = m * vec4<f32>(point.xyz, 1.0);
         let p = clip.xy / clip.w;
-        let depth = (clip.z + v.projection[2].z * at.w) / (clip.w + v.projection[3].z * at.w);
+        let depth = (clip.z + v.projection[2].z * point.w) / (clip.w + v.projection[3].z * point.w);
         let uv = p * vec2<f32>(0.5, -0.5) + 0.5;
         let lit = textureSampleCompareLevel(depths, u_shadow_sampler, uv, layer, saturate(depth));
         total += select(1.0, lit, clip.w > 0.0 && all(abs(p) <= vec2<f32>(1.0)));
@@ -93,10 +84,10 @@ fn skinshade_thickness(depths: texture_depth_2d_array, layer: i32, m: mat4x4<f32
         let clip = m * vec4<f32>(inward + v.right * across.x + v.up * across.y, 1.0);
         let p = clip.xyz / clip.w;
         let uv = p.xy * vec2<f32>(0.5, -0.5) + 0.5;
-        let found = textureLoad(depths, vec2<i32>(clamp(uv * size, vec2<f32>(0.0), size - 1.0)), layer, 0);
-        let deep = skin_linear_depth(p.z, v.projection) - skin_linear_depth(found, v.projection);
-        let there = found < 1.0 && clip.w > 0.0 && all(abs(p.xy) <= vec2<f32>(1.0));
-        total += select(0.0, max(deep, 0.0), there);
+        let nearest = textureLoad(depths, vec2<i32>(clamp(uv * size, vec2<f32>(0.0), size - 1.0)), layer, 0);
+        let thickness = skin_linear_depth(p.z, v.projection) - skin_linear_depth(nearest, v.projection);
+        let covered = nearest < 1.0 && clip.w > 0.0 && all(abs(p.xy) <= vec2<f32>(1.0));
+        total += select(0.0, max(thickness, 0.0), covered);
     }
     return total / f32({{ skin_taps }});
 }
@@ -104,21 +95,21 @@ $$ endif
 $$ endif
 
 $$ if receive_shadow and num_point_lights > 0
-// A disk across the ray to the lamp, each tap looked up by pygfx.
+// Filter of a point light: taps on a disk across the ray to the light, looked up in pygfx's cube map.
 fn skinshade_filter_cube(layer: i32, light: PointLight, s: SkinSurface, to_light: vec3<f32>) -> f32 {
-    let aside = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(1.0, 0.0, 0.0), abs(to_light.y) > 0.9);
+    let reference = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(1.0, 0.0, 0.0), abs(to_light.y) > 0.9);
     var v: SkinView;
     v.forward = -to_light;
-    v.right = normalize(cross(to_light, aside));
+    v.right = normalize(cross(to_light, reference));
     v.up = cross(v.right, v.forward);
     let r = skinshade_receiver(v, s, to_light);
     var total = 0.0;
     for (var tap = 0; tap < {{ skin_filter_taps }}; tap++) {
-        let tap_at = skinshade_tap(v, r, tap);
-        let towards = normalize(light.world_transform[3].xyz - tap_at.xyz);
-        let at = tap_at.xyz - towards * tap_at.w;
+        let point = skinshade_tap(v, r, tap);
+        let towards = normalize(light.world_transform[3].xyz - point.xyz);
+        let position = point.xyz - towards * point.w;
         total += get_cube_shadow(
-            u_shadow_map_point_light, u_shadow_sampler, layer, light.light_view_proj_matrix, at, towards, 0.0);
+            u_shadow_map_point_light, u_shadow_sampler, layer, light.light_view_proj_matrix, position, towards, 0.0);
     }
     return total / f32({{ skin_filter_taps }});
 }

@@ -1,10 +1,10 @@
-// What skinshade adds to pygfx's mesh shader. Every formula of the lighting model is a function skin_...
-// of the library; here is what it is given: attributes, maps, and the depths that pygfx's lights see.
+// Additions to pygfx's mesh shader. The formulas of the lighting model are the functions skin_... of the library; these
+// functions pass pygfx's attributes, texture maps and depth maps to them.
 {$ include 'pygfx.light_common.wgsl' $}
 {$ include 'skinshade.skin.wgsl' $}
 {$ include 'skinshade.depths.wgsl' $}
 
-// -- attributes: {{ skin_numbers }} numbers a vertex in one buffer -----------------------------------------
+// -- attributes: {{ skin_numbers }} numbers per vertex in one buffer ----------------------------------------
 
 $$ for channel, (first, count) in skin_channels.items()
 $$ if count == 1
@@ -25,7 +25,7 @@ struct SkinSurface {
     mesh_normal: vec3<f32>,
     sharp: vec3<f32>,
     blurred: vec3<f32>,
-    seen: mat3x3<f32>,   // rows, as the library has them: the normal of each channel
+    normals: mat3x3<f32>, // normals of the channels, one per row of the library's matrix
     tensor: mat3x3<f32>,
     gain: vec3<f32>,
     albedo: vec3<f32>,
@@ -34,7 +34,8 @@ struct SkinSurface {
     reflectance: f32,
 };
 
-// Curvature is that of the mesh: a body twice as large is half as curved, and UVs are twice as long.
+// Scale of the object. Attributes are in the scale of the mesh: an object of twice the size has half the curvature and
+// twice the length per unit of UV.
 fn skinshade_scale() -> f32 {
     return length(u_wobject.world_transform[0].xyz);
 }
@@ -43,31 +44,31 @@ $$ if skin_tier == "tensor"
 fn skinshade_tensor(upper: vec3<f32>, lower: vec3<f32>) -> mat3x3<f32> {
     let m = u_wobject.world_transform;
     let scale = skinshade_scale();
-    let turn = mat3x3<f32>(m[0].xyz / scale, m[1].xyz / scale, m[2].xyz / scale);
-    let of_mesh = mat3x3<f32>(upper, vec3<f32>(upper.y, lower.xy), vec3<f32>(upper.z, lower.yz));
-    return turn * of_mesh * transpose(turn) * (1.0 / scale);
+    let rotation = mat3x3<f32>(m[0].xyz / scale, m[1].xyz / scale, m[2].xyz / scale);
+    let tensor = mat3x3<f32>(upper, vec3<f32>(upper.y, lower.xy), vec3<f32>(upper.z, lower.yz));
+    return rotation * tensor * transpose(rotation) * (1.0 / scale);
 }
 $$ endif
 
 $$ if use_normal_map is defined
-// Sharp, narrow and wide blur, none of them made of unit length.
+// Normals of the normal map: sharp, narrow blur, wide blur; not of unit length.
 fn skinshade_fetch(uv: vec2<f32>, frame: mat3x3<f32>) -> mat3x3<f32> {
     let size = vec2<f32>(textureDimensions(t_normal_map));
     let level = skin_map_level(size, dpdx(uv), dpdy(uv));
-    let longer = max(size.x, size.y);
+    let map_size = max(size.x, size.y);
     let uv_scale_mm = {{ skin_uv_scale_mm }} * skinshade_scale();
     let blurs = u_scatter.normal_sigmas_mm;
     let levels = vec3<f32>(
         level,
-        skin_blur_level(blurs.x, uv_scale_mm, longer, level),
-        skin_blur_level(blurs.y, uv_scale_mm, longer, level));
+        skin_blur_level(blurs.x, uv_scale_mm, map_size, level),
+        skin_blur_level(blurs.y, uv_scale_mm, map_size, level));
     let normal = frame[2];
     let tangent = skin_unit_vectors(frame[0] - normal * dot(frame[0], normal));
     let side = cross(normal, tangent);
-    let upright = mat3x3<f32>(tangent, side * sign(dot(side, frame[1])), normal);
+    let orthonormal = mat3x3<f32>(tangent, side * sign(dot(side, frame[1])), normal);
     var fetched: mat3x3<f32>;
     for (var i = 0; i < 3; i++) {
-        fetched[i] = upright * (textureSampleLevel(t_normal_map, s_normal_map, uv, levels[i]).xyz * 2.0 - 1.0);
+        fetched[i] = orthonormal * (textureSampleLevel(t_normal_map, s_normal_map, uv, levels[i]).xyz * 2.0 - 1.0);
     }
     return fetched;
 }
@@ -79,47 +80,47 @@ fn skinshade_blend() -> mat3x3<f32> {
 
 // -- light ------------------------------------------------------------------------------------------------
 
-fn skinshade_diffused(s: SkinSurface, to_light: vec3<f32>) -> vec3<f32> {
+fn skinshade_diffuse(s: SkinSurface, to_light: vec3<f32>) -> vec3<f32> {
     $$ if skin_tier == "tensor"
-    let bends = skin_directional_curvature(s.tensor, s.mesh_normal, to_light);
+    let curvatures = skin_directional_curvature(s.tensor, s.mesh_normal, to_light);
     return skin_direct_tensor(
         t_ring_table, s_table, u_scatter.ring_axes, t_transfer_table, s_table, u_scatter.transfer_axes,
-        s.seen, to_light, bends.x, bends.y, s.gain);
+        s.normals, to_light, curvatures.x, curvatures.y, s.gain);
     $$ else
-    return skin_direct_scalar(t_sphere_table, s_table, u_scatter.sphere_axes, s.seen, to_light, s.curvature_per_mm, s.gain);
+    return skin_direct_scalar(t_sphere_table, s_table, u_scatter.sphere_axes, s.normals, to_light, s.curvature_per_mm, s.gain);
     $$ endif
 }
 
 fn skinshade_add(light: SkinIncident, s: SkinSurface, sum: ptr<function, ReflectedLight>) {
     $$ if skin_taps > 0
-    let passed = skin_transmittance(light.thickness_mm, u_scatter.albedo.xyz, u_scatter.sigma_per_mm.xyz);
+    let transmittance = skin_transmittance(light.thickness_mm, u_scatter.albedo.xyz, u_scatter.sigma_per_mm.xyz);
     let deep = skin_direct_deep_scatter(
-        passed / u_scatter.albedo.xyz, dot(s.blurred, light.to_light), u_skin.deep_scatter_strength);
+        transmittance / u_scatter.albedo.xyz, dot(s.blurred, light.to_light), u_skin.deep_scatter_strength);
     (*sum).direct_diffuse += light.radiance * deep * u_skin.deep_scatter_tint.xyz * s.albedo;
     $$ endif
-    // The tables' ends are pinned: where the wide filter sees no light, none bleeds in.
+    // The shadow table is 0 where the wide filter is 0, so that no light bleeds in.
     if (light.shadow_filter == 0.0) {
         return;
     }
     let shadow = skin_diffused_shadow(
         t_shadow_table, s_table, u_scatter.shadow_axes,
         light.shadow_filter, dot(s.mesh_normal, light.to_light), u_skin.shadow_filter_width_mm);
-    (*sum).direct_diffuse += light.radiance * skinshade_diffused(s, light.to_light) * shadow * s.albedo;
+    (*sum).direct_diffuse += light.radiance * skinshade_diffuse(s, light.to_light) * shadow * s.albedo;
     (*sum).direct_specular += light.radiance
         * skin_sharpened_shadow(light.shadow_filter, u_skin.shadow_sharpening)
         * skin_specular(s.sharp, s.view, light.to_light, s.gloss, s.reflectance);
 }
 
-// pygfx calls it for its ambient light and light maps: an even sky, of which band 0 alone is left.
+// pygfx calls this function for ambient light and light maps, which are a uniform environment: band 0 only.
 fn RE_IndirectDiffuse(irradiance: vec3<f32>, g: GeometricContext, s: SkinSurface, sum: ptr<function, ReflectedLight>) {
     let radiance = irradiance * RECIPROCAL_PI;
-    let even = radiance / {{ skin_even_basis }};
-    let o = vec3<f32>(0.0);
-    let bands = mat3x3<f32>(s.gain, o, o);
+    let band_0 = radiance / {{ skin_band_0_basis }};
+    let zero = vec3<f32>(0.0);
+    let bands = mat3x3<f32>(s.gain, zero, zero);
     (*sum).indirect_diffuse += s.albedo * skin_ambient_irradiance(
-        mat3x3<f32>(vec3<f32>(even.r, 0.0, 0.0), o, o),
-        mat3x3<f32>(vec3<f32>(even.g, 0.0, 0.0), o, o),
-        mat3x3<f32>(vec3<f32>(even.b, 0.0, 0.0), o, o),
-        s.seen, bands);
+        mat3x3<f32>(vec3<f32>(band_0.r, 0.0, 0.0), zero, zero),
+        mat3x3<f32>(vec3<f32>(band_0.g, 0.0, 0.0), zero, zero),
+        mat3x3<f32>(vec3<f32>(band_0.b, 0.0, 0.0), zero, zero),
+        s.normals, bands);
     (*sum).indirect_specular += radiance * skin_ambient_specular_fresnel(dot(s.sharp, s.view), s.gloss, s.reflectance);
 }

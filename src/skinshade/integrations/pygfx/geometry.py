@@ -1,4 +1,4 @@
-"""A mesh with all that skin shading interpolates, as a pygfx geometry."""
+"""pygfx geometries with the vertex attributes of skin shading."""
 
 from __future__ import annotations
 
@@ -12,27 +12,38 @@ from ...scene import Material
 __all__ = ["ATTRIBUTES", "NUMBERS", "skin_geometry"]
 
 ATTRIBUTES = {"curvature": 1, "diffused_curvature": 3, "tensor": 6}
-"""Numbers of each attribute, in their order in ``geometry.skin_attributes``."""
+"""Numbers per vertex of each attribute, in the order of ``geometry.skin_attributes``."""
 NUMBERS = sum(ATTRIBUTES.values())
+"""Numbers per vertex of all attributes."""
 
 
 def skin_geometry(mesh: Mesh, profile: Profile | None = None) -> pygfx.Geometry:
-    """Return what `SkinMaterial` draws.
+    """Return the geometry of a mesh for `SkinMaterial`.
 
     Parameters
     ----------
     mesh
-        With its unit; `skinshade.load_mesh`.
+        Mesh with its unit, for instance from `skinshade.load_mesh`.
     profile
-        Of the material, already scaled: ``material.skin.profile``. The default material's if None.
+        Profile of the material, already scaled: ``material.skin.profile``. If None, the profile of the
+        default material.
 
     Returns
     -------
     pygfx.Geometry
-        ``positions`` (V, 3) mm, ``normals``, ``indices`` and ``tangents``, for any of pygfx's materials;
-        ``texcoords`` (V, 2), v down, and ``uv_scale_mm`` if the mesh has UVs; ``skin_attributes``, in one
-        buffer as a vertex shader may have few: per vertex the mean curvature, that curvature diffused by
-        the profile in R, G, B, and the shape operator xx xy xz yy yz zz in the mesh's axes, all 1/mm.
+        ``positions`` (V, 3) mm, ``normals``, ``indices`` and ``tangents``, for any material of pygfx;
+        ``texcoords`` (V, 2), v down, and ``uv_scale_mm`` if the mesh has UVs; and ``skin_attributes``.
+        Per vertex these are the mean curvature, the mean curvature diffused by the profile in R, G, B, and
+        the shape operator xx xy xz yy yz zz in the mesh's axes, all in 1/mm. They share one buffer, because
+        devices limit the number of buffers of a vertex shader.
+
+    Examples
+    --------
+    >>> import skinshade as sk
+    >>> from skinshade.integrations.pygfx import skin_geometry
+    >>> geometry = skin_geometry(sk.builtin_head().mesh)
+    >>> geometry.positions.data.shape[1]
+    3
     """
     columns = vertex_attributes(mesh, Material().profile if profile is None else profile)
     arrays = {name: np.ascontiguousarray(c, dtype=np.float32) for name, c in columns.items()}

@@ -1,4 +1,4 @@
-"""skinshade's lights as pygfx's, with shadow maps that hold the body."""
+"""pygfx lights from skinshade's lights, with shadow maps that contain the body."""
 
 from __future__ import annotations
 
@@ -16,52 +16,53 @@ from ...scene.lights import FULL_SHARE
 __all__ = ["skin_light"]
 
 OTHER_MATERIALS_BIAS = 0.002
-"""Of the map's depth range: keeps what is drawn with pygfx's materials from shadowing itself."""
+"""Bias for pygfx's own materials, as a share of the map's depth range. Skin has its own bias."""
 
 
 def skin_light(
     light: Light, mesh_or_bounds: Mesh | ArrayLike, *, cast_shadow: bool = True
 ) -> pygfx.Light:
-    """Return a pygfx light that shines as one of skinshade's does, in a world in mm.
+    """Return the pygfx light that is equal to a light of skinshade, in a world in mm.
 
-    What `SkinMaterial` needs of a shadow map is set: the side of a body that faces the light
-    (``shadow.cull_mode = "back"``, pygfx's default is the far one), with a range of depth as narrow as
-    the body allows. Who changes ``angle`` or ``distance`` of a spot light makes pygfx forget the range:
-    make another light instead. pygfx's own materials need the ``shadow.bias`` of .002 that is set.
+    The shadow map has the settings that `SkinMaterial` needs: it contains faces towards the light
+    (``shadow.cull_mode = "back"``; by default, pygfx draws the far side), in the narrowest depth range
+    that contains the body. pygfx replaces this range when ``angle`` or ``distance`` of a spot light
+    changes; create a new light instead. ``shadow.bias`` is .002, for pygfx's own materials.
 
-    pygfx's point lights light and shadow skin as well, but nothing of theirs comes through the body.
+    `SkinMaterial` also accepts point lights of pygfx, but they have no deep scatter.
 
     Parameters
     ----------
     light
-        `skinshade.DirectionalLight` or `skinshade.SpotLight`; irradiance is kept in linear Rec.709.
+        `skinshade.DirectionalLight` or `skinshade.SpotLight`; irradiance stays in linear Rec.709.
     mesh_or_bounds
-        What casts and receives: a mesh, or (2, 3) its least and greatest coordinates, mm.
+        Bodies that cast and receive shadows: a mesh, or the least and the greatest coordinates (2, 3), mm.
     cast_shadow
-        Whether it has a shadow map, without which no light comes through the body either.
+        Give the light a shadow map. Deep scatter needs it.
 
     Returns
     -------
     pygfx.DirectionalLight or pygfx.SpotLight
+        Light with its shadow camera.
 
     Raises
     ------
     ArgumentError
-        If the bounds are not (2, 3) finite numbers, or enclose nothing.
+        If the bounds are not (2, 3) finite numbers, or are empty.
     """
-    middle, reach = _sphere(mesh_or_bounds)
-    view, projection = light.view_and_projection(middle, reach)
+    middle, radius = _sphere(mesh_or_bounds)
+    view, projection = light.view_and_projection(middle, radius)
     colour, strength = _colour(light.irradiance)
     if isinstance(light, DirectionalLight):
-        made = pygfx.DirectionalLight(colour, strength, cast_shadow=cast_shadow)
-        made.local.position = -view[:3, :3].T @ view[:3, 3]
-        made.target.local.position = middle
-        made.shadow.camera.width = made.shadow.camera.height = 2.0 / projection[0, 0]
+        result = pygfx.DirectionalLight(colour, strength, cast_shadow=cast_shadow)
+        result.local.position = -view[:3, :3].T @ view[:3, 3]
+        result.target.local.position = middle
+        result.shadow.camera.width = result.shadow.camera.height = 2.0 / projection[0, 0]
         near = projection[2, 3] / projection[2, 2]
         far = near - 1.0 / projection[2, 2]
     else:
         axis = light.position_mm - light.target_mm
-        made = pygfx.SpotLight(
+        result = pygfx.SpotLight(
             colour,
             strength * float(axis @ axis),
             cast_shadow=cast_shadow,
@@ -69,21 +70,21 @@ def skin_light(
             angle=math.radians(light.cone_deg),
             penumbra=1.0 - FULL_SHARE,
         )
-        made.local.position = light.position_mm
-        made.target.local.position = light.target_mm
-        # In pygfx's own words, to the last bit: for any other angle it sets the range again.
-        made.shadow.camera.fov = 180 / math.pi * 2 * made.angle
-        made.shadow.camera.aspect = 1.0
+        result.local.position = light.position_mm
+        result.target.local.position = light.target_mm
+        # pygfx computes the same expression, and replaces the depth range if the results are not equal.
+        result.shadow.camera.fov = 180 / math.pi * 2 * result.angle
+        result.shadow.camera.aspect = 1.0
         near = projection[2, 3] / projection[2, 2]
         far = projection[2, 3] / (1.0 + projection[2, 2])
-    made.shadow.camera.depth_range = (float(near), float(far))
-    made.shadow.cull_mode = "back"
-    made.shadow.bias = OTHER_MATERIALS_BIAS
-    return made
+    result.shadow.camera.depth_range = (float(near), float(far))
+    result.shadow.cull_mode = "back"
+    result.shadow.bias = OTHER_MATERIALS_BIAS
+    return result
 
 
 def _sphere(mesh_or_bounds: Mesh | ArrayLike) -> tuple[FloatArray, float]:
-    """Return the middle (3,) and the reach of a body, mm."""
+    """Return the middle (3,) and the radius of a sphere around a body, mm."""
     if isinstance(mesh_or_bounds, Mesh):
         points = mesh_or_bounds.positions_mm
     else:
@@ -96,8 +97,8 @@ def _sphere(mesh_or_bounds: Mesh | ArrayLike) -> tuple[FloatArray, float]:
 
 
 def _colour(irradiance: FloatArray) -> tuple[pygfx.Color, float]:
-    """Return a colour of pygfx's and the intensity that make an irradiance (3,)."""
+    """Return colour and intensity of a pygfx light with an irradiance (3,)."""
     strength = float(irradiance.max())
     if strength == 0.0:
         return pygfx.Color("#fff"), 0.0
-    return pygfx.Color.from_physical(*(float(each) / strength for each in irradiance)), strength
+    return pygfx.Color.from_physical(*(irradiance / strength).tolist()), strength

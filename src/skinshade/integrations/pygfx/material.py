@@ -1,4 +1,4 @@
-"""The material: parameters, profile and tables as pygfx's buffers and textures."""
+"""Skin material: parameters, profile and tables in pygfx's buffers and textures."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..._core.errors import ArgumentError, BackendError
 from ...params import SkinParams
 from ...params.packing import layout
 from ...profile import Profile
-from ...render.renderer import TAP_COUNTS
+from ...rendering.settings import TAP_COUNTS
 from ...scene import Material
 from ...shading.skin import Skin
 from .maps import color_map, normal_map, table
@@ -29,41 +29,47 @@ SHADER_TYPES = {"float4": "4xf4", "float2": "2xf4", "float": "f4"}
 
 
 class SkinMaterial(pygfx.MeshPhongMaterial):  # type: ignore[misc]  # pygfx has no types
-    """Skin, or any other translucent matter, lit by pygfx's lights in a world in mm.
+    """Material for skin and other translucent bodies under pygfx's lights, in a world in mm.
 
-    It draws a `pygfx.Mesh` whose geometry `skin_geometry` made. The object may be moved, turned and
-    scaled evenly; the mesh must be rigid with ``tier="tensor"``, and no instances are drawn. A `pygfx.
-    AmbientLight` is an even sky, an ``ao_map`` dims it, the red of a ``specular_map`` multiplies the
-    reflectance. ``shininess``, ``specular``, ``normal_scale`` and ``flat_shading`` have no say. Of point
-    lights nothing comes through the body.
+    It draws a `pygfx.Mesh` with a geometry of `skin_geometry`. The object can be moved, rotated and
+    scaled uniformly. Instances are not supported; with ``tier="tensor"`` the mesh must be rigid. A
+    `pygfx.AmbientLight` is a uniform environment, an ``ao_map`` dims it, and the red channel of a
+    ``specular_map`` multiplies the reflectance. ``shininess``, ``specular``, ``normal_scale`` and
+    ``flat_shading`` have no effect. Point lights have no deep scatter.
 
     Parameters
     ----------
     profile
-        How light diffuses; that of `skinshade.Material` by default.
+        Diffusion profile; the profile of `skinshade.Material` if None.
     params
-        Numbers; `skinshade.SkinParams`.
+        Parameters of the material; the defaults of `skinshade.SkinParams` if None.
     tier
         Geometry of the diffusion: ``tensor`` (default), or ``scalar``, which is cheaper.
     uv_scale_mm
-        Length of the unit of UV on the surface, mm, > 0; the geometry's by default.
+        Length of one unit of UV on the surface, mm, > 0; the value of the geometry if None.
     deep_scatter_taps
-        Of the thickness: 0 (off), 8 or 32.
+        Taps that measure the thickness for deep scatter: 0 (off), 8 or 32.
     map
-        As for pygfx's materials, or linear colours (H, W, 3).
+        Colours: a map or texture of pygfx, or an array (H, W, 3), linear.
     normal_map
-        As for pygfx's materials, or normals (H, W, 3) in −1..1, +y up in the picture. It is looked at
-        sharp and at two blurs, which are its mips: they are made, in float32 of what has 8 bits or no
-        mips, a copy that later changes of the texture do not reach.
+        Normals: a map or texture of pygfx, or an array (H, W, 3) in −1..1, +y up in the image. The mips
+        hold the blurred normals. Textures with 8 bits or without mips are copied to float32; later changes
+        of the original have no effect.
     kwargs
-        Of `pygfx.MeshPhongMaterial`. ``color`` is that of pale skin if there is no map.
+        Arguments of `pygfx.MeshPhongMaterial`. Without a map, ``color`` is the colour of pale skin.
 
     Raises
     ------
     ArgumentError
-        If a value is not one of those above.
+        If a value is not allowed.
     BackendError
-        If this pygfx has another mesh shader than the version that is asked for.
+        If the mesh shader of pygfx differs from that of version 0.17.
+
+    Examples
+    --------
+    >>> from skinshade.integrations.pygfx import SkinMaterial
+    >>> SkinMaterial(tier="scalar").deep_scatter_taps
+    8
     """
 
     def __init__(
@@ -84,8 +90,11 @@ class SkinMaterial(pygfx.MeshPhongMaterial):  # type: ignore[misc]  # pygfx has 
         if map is None and "color" not in kwargs:
             kwargs["color"] = pygfx.Color.from_physical(*Material().albedo[0, 0].tolist())
         super().__init__(map=map, **kwargs)
-        params = params or SkinParams()
-        self._skin = Skin.of(Material().profile if profile is None else profile, params)
+        self._skin = Skin.of(
+            Material().profile if profile is None else profile,
+            params or SkinParams(),
+            luts=TABLES[tier],
+        )
         self._store.skin_tier = tier
         self._store.skin_buffer = _block("SkinBlock")
         self._store.scatter_buffer = _block("ScatterBlock")
@@ -97,86 +106,86 @@ class SkinMaterial(pygfx.MeshPhongMaterial):  # type: ignore[misc]  # pygfx has 
 
     @property
     def params(self) -> SkinParams:
-        """The material's numbers; set others for the frames that follow.
+        """Parameters of the material; new parameters apply from the next frame.
 
-        Raises ArgumentError if one changes that tables or mips were made for.
+        The setter raises ArgumentError if tables or mips depend on a parameter that changes.
         """
         return self._skin.params
 
     @params.setter
     def params(self, params: SkinParams) -> None:
-        """Write others for the frames that follow, if tables and mips hold for them."""
+        """Write both blocks."""
         changed = self._skin.with_params(params)
-        was, wanted = self._skin.params.normal_strength, params.normal_strength
-        if self.normal_map is not None and was != wanted:
+        old, new = self._skin.params.normal_strength, params.normal_strength
+        if self.normal_map is not None and old != new:
             raise ArgumentError(
-                f"normal_strength: the normal map's mips were made for {was:g}, not {wanted:g}; make a"
-                " SkinMaterial of the new parameters"
+                f"normal_strength is {new:g}, but the mips of the normal map were computed for {old:g};"
+                " create a SkinMaterial with the new parameters"
             )
         self._skin = changed
         self._fill()
 
     @property
     def skin(self) -> Skin:
-        """Profile, already scaled, and parameters that the tables were made for."""
+        """Profile (already scaled), parameters and tables."""
         return self._skin
 
     @property
     def tier(self) -> Tier:
-        """Geometry of the diffusion; each has its own tables, so that it stays."""
+        """Geometry of the diffusion; it is read-only, because the tables depend on it."""
         result: Tier = self._store.skin_tier
         return result
 
     @property
     def uv_scale_mm(self) -> float | None:
-        """Length of the unit of UV on the surface, mm; None: the geometry's."""
+        """Length of one unit of UV on the surface, mm, > 0; None for the value of the geometry."""
         result: float | None = self._store.uv_scale_mm
         return result
 
     @uv_scale_mm.setter
     def uv_scale_mm(self, value: float | None) -> None:
-        """Take another, > 0, or the geometry's."""
+        """Check and store the length."""
         if value is not None and not 0.0 < value < np.inf:
             raise ArgumentError(f"uv_scale_mm is {value}; it must be a length above 0 mm, or None")
         self._store.uv_scale_mm = None if value is None else float(value)
 
     @property
     def deep_scatter_taps(self) -> int:
-        """Taps of the thickness: 0, 8 or 32."""
+        """Taps that measure the thickness: 0, 8 or 32."""
         result: int = self._store.deep_scatter_taps
         return result
 
     @deep_scatter_taps.setter
     def deep_scatter_taps(self, value: int) -> None:
-        """Take another number of them."""
+        """Check and store the number."""
         if value not in TAP_COUNTS:
             raise ArgumentError(f"deep_scatter_taps is {value!r}; it must be 0, 8 or 32")
         self._store.deep_scatter_taps = value
 
     @property
     def map(self) -> pygfx.TextureMap | None:
-        """Colours: pygfx's texture or map; an array (H, W, 3) is made one."""
+        """Colours: a map or texture of pygfx, or an array (H, W, 3), which becomes a map."""
         return self._store.map
 
     @map.setter  # noqa: A003
     def map(self, value: Any) -> None:
-        """Take another, or None."""
+        """Store the colours as a map; None for none."""
         pygfx.MeshPhongMaterial.map.fset(self, color_map(value))
 
     @property
     def normal_map(self) -> pygfx.TextureMap | None:
-        """Normals: pygfx's texture or map; an array (H, W, 3) is made one at ``normal_strength``."""
+        """Normals: a map or texture of pygfx, or an array (H, W, 3), scaled by ``normal_strength``."""
         return self._store.normal_map
 
     @normal_map.setter
     def normal_map(self, value: Any) -> None:
-        """Take another, or None."""
-        made = normal_map(value, self._skin.params.normal_strength)
-        pygfx.MeshPhongMaterial.normal_map.fset(self, made)
+        """Store the normals as a map with mips; None for none."""
+        result = normal_map(value, self._skin.params.normal_strength)
+        pygfx.MeshPhongMaterial.normal_map.fset(self, result)
 
     def _fill(self) -> None:
-        """Write both blocks: the decay through the body is a parameter, but stands with the profile."""
-        scatter = self._skin.scatter_params(luts=TABLES[self._store.skin_tier])
+        """Write both blocks. The decay of deep scatter in the scatter block depends on `params`."""
+        scatter = self._skin.scatter_params()
         for buffer, data in (
             (self._store.skin_buffer, self._skin.params.pack()),
             (self._store.scatter_buffer, scatter.pack()),
@@ -189,7 +198,7 @@ pygfx.renderers.wgpu.register_wgpu_render_function(pygfx.Mesh, SkinMaterial)(Ski
 
 
 def _block(name: str) -> pygfx.Buffer:
-    """Return an empty uniform buffer with the fields of a block where its layout has them."""
+    """Return an empty uniform buffer with the fields of a block at the offsets of its layout."""
     fields = layout()[name]["fields"]
     data = array_from_shadertype({n: SHADER_TYPES[f["kind"]] for n, f in fields.items()})
     offsets = {n: data.dtype.fields[n][1] for n in fields}
@@ -197,5 +206,5 @@ def _block(name: str) -> pygfx.Buffer:
         offsets != {n: f["offset"] for n, f in fields.items()}
         or data.nbytes != layout()[name]["size"]
     ):
-        raise BackendError(f"pygfx {pygfx.__version__} lays {name} out otherwise: {offsets}")
+        raise BackendError(f"pygfx {pygfx.__version__} has other offsets of {name}: {offsets}")
     return pygfx.Buffer(data, force_contiguous=True)

@@ -1,4 +1,4 @@
-"""pygfx's mesh shader, with the loop over its lights replaced by skinshade's terms."""
+"""pygfx's mesh shader with skinshade's sum over lights."""
 
 from __future__ import annotations
 
@@ -16,49 +16,32 @@ from pygfx.renderers.wgpu import (
 )
 from pygfx.renderers.wgpu.shaders.meshshader import MeshShader
 
-from ..._core.arrays import FloatArray
 from ..._core.errors import ArgumentError, BackendError
-from ...render.cpu.renderer import DARK_BEYOND
-from ...render.cpu.shadow_map import (
-    ATTACHED_MM,
-    BIAS_MM,
-    FILTER_TAPS,
-    HOLLOW_PER_MM,
-    STEEPEST_SLOPE,
-    TERMINATOR_REACH_MM,
-    hemisphere_disk,
-)
-from ...shaders import generated_text
+from ..._core.generated import generated_text
 from ...shading.ambient import sh_basis
+from ...shading.shadow import ATTACHED_MM, DARK_BEYOND, SHADOW_BIAS_MM, SHADOW_TAPS
 from .geometry import NUMBERS
 
 __all__ = ["SkinShader", "mesh_source"]
 
 HOOK = "{$ include 'pygfx.light_punctual.wgsl' $}"
 NEEDED = (HOOK, "used_uv.items()", "RE_IndirectDiffuse(", "physical_albedo", "face_direction")
-"""What pygfx's mesh shader must have: where lights are summed, what goes on to fragments, what is used."""
+"""Text that pygfx's mesh shader must contain: the sum over lights, and names that skinshade uses."""
 MOST_UNEVEN = 1e-3
+"""Greatest relative difference between the scales of an object along its axes."""
 CHANNELS = {100: (0, 1), 101: (1, 3), 102: (4, 3), 103: (7, 3)}
-"""Attributes travel as further texture coordinates, which pygfx hands on: first number, how many."""
-EVEN_SCALE = "curvature holds for no other; apply the scale to the mesh"
-
-
-def _disk(points: FloatArray) -> str:
-    return ", ".join(f"vec2<f32>({float(x)!r}, {float(y)!r})" for x, y in points)
-
+"""First number and count of each attribute, by the index of the texture coordinates that interpolate it."""
+UNIFORM_SCALE = "curvature needs a uniform scale; apply the scale to the mesh"
 
 CONSTANTS: dict[str, Any] = {
     "skin_numbers": NUMBERS,
     "skin_channels": CHANNELS,
-    # A map of the nearest surface, as `ShadowMap.occluders` has where nothing faces away before.
-    "skin_bias_mm": BIAS_MM + ATTACHED_MM,
+    # pygfx's maps contain the nearest surface, which needs the bias of
+    # `skinshade.shading.shadow.shadow_filter`.
+    "skin_bias_mm": SHADOW_BIAS_MM + ATTACHED_MM,
     "skin_dark_beyond": DARK_BEYOND,
-    "skin_filter_taps": FILTER_TAPS,
-    "skin_filter_disk": _disk(hemisphere_disk(FILTER_TAPS)),
-    "skin_hollow_per_mm": HOLLOW_PER_MM,
-    "skin_steepest_slope": STEEPEST_SLOPE,
-    "skin_terminator_reach_mm": TERMINATOR_REACH_MM,
-    "skin_even_basis": float(sh_basis(np.array([0.0, 0.0, 1.0]))[0]),
+    "skin_filter_taps": SHADOW_TAPS[-1],
+    "skin_band_0_basis": float(sh_basis(np.array([0.0, 0.0, 1.0]))[0]),
 }
 
 
@@ -72,19 +55,19 @@ register_wgsl_loader("skinshade", _source)
 
 
 def mesh_source() -> str:
-    """Return pygfx's mesh shader with skinshade's sum over lights in place of its own.
+    """Return pygfx's mesh shader with skinshade's sum over lights instead of its own.
 
     Raises
     ------
     BackendError
-        If it is not the shader that this was written for.
+        If the shader of pygfx differs from that of version 0.17.
     """
     text: str = load_wgsl("mesh.wgsl")
-    missing = [each for each in NEEDED if each not in text]
+    missing = [name for name in NEEDED if name not in text]
     if missing or text.count(HOOK) != 1:
         raise BackendError(
-            f"pygfx {pygfx.__version__}: its mesh.wgsl has {text.count(HOOK)} times {HOOK} and lacks"
-            f" {missing}; skinshade's material is written for pygfx 0.17:"
+            f"pygfx {pygfx.__version__}: mesh.wgsl contains {HOOK} {text.count(HOOK)} times and lacks"
+            f" {missing}; skinshade's material needs pygfx 0.17:"
             ' pip install "skinshade[pygfx]"'
         )
     lights = "{$ include 'skinshade.lights.wgsl' $}"
@@ -92,17 +75,17 @@ def mesh_source() -> str:
 
 
 class SkinShader(MeshShader):  # type: ignore[misc]  # pygfx has no types
-    """Draws a mesh with a `SkinMaterial`; pygfx makes it.
+    """Shader of a mesh with a `SkinMaterial`; pygfx creates it.
 
     Parameters
     ----------
     wobject
-        The mesh.
+        Mesh with the material.
 
     Raises
     ------
     ArgumentError
-        If the object is none that skin can be drawn on.
+        If the material cannot draw the object.
     """
 
     def __init__(self, wobject: pygfx.Mesh) -> None:
@@ -117,7 +100,7 @@ class SkinShader(MeshShader):  # type: ignore[misc]  # pygfx has no types
             self[name] = value
 
     def get_bindings(self, wobject: Any, shared: Any, scene: Any) -> dict[int, Any]:
-        """Return pygfx's own bindings, and in a group of their own the material's and the attributes.
+        """Return pygfx's bindings, and group 2 with the material and the attributes.
 
         Raises
         ------
@@ -136,7 +119,7 @@ class SkinShader(MeshShader):  # type: ignore[misc]  # pygfx has no types
         for channel, (_, count) in CHANNELS.items():
             if channel < 102 or material.tier == "tensor":
                 self["used_uv"][channel] = count
-        found = [
+        bindings = [
             Binding("s_skin", "buffer/read_only_storage", attributes, "VERTEX"),
             Binding("u_skin", "buffer/uniform", material._store.skin_buffer, "FRAGMENT"),
             Binding("u_scatter", "buffer/uniform", material._store.scatter_buffer, "FRAGMENT"),
@@ -144,42 +127,44 @@ class SkinShader(MeshShader):  # type: ignore[misc]  # pygfx has no types
         ]
         for name, texture in material._tables.items():
             view = GfxTextureView(texture)
-            found.append(Binding(f"t_{name}_table", "texture/auto", view, "FRAGMENT"))
-        result[2] = dict(enumerate(found))
+            bindings.append(Binding(f"t_{name}_table", "texture/auto", view, "FRAGMENT"))
+        result[2] = dict(enumerate(bindings))
         self.define_bindings(2, result[2])
         return result
 
     def get_code(self) -> str:
-        """Return the shader before pygfx fills it in."""
+        """Return the template of the shader."""
         return mesh_source()
 
 
 def _check(wobject: pygfx.Mesh) -> None:
+    """Raise if the material cannot draw an object."""
     name = type(wobject).__name__
     if isinstance(wobject, pygfx.InstancedMesh):
-        raise ArgumentError(f"{name}: skin is not drawn in instances; use a Mesh for each")
-    bends = isinstance(wobject, pygfx.SkinnedMesh) or hasattr(wobject.geometry, "morph_positions")
-    if bends and wobject.material.tier == "tensor":
+        raise ArgumentError(f"{name}: skin cannot be drawn in instances; use one Mesh per instance")
+    deforms = isinstance(wobject, pygfx.SkinnedMesh) or hasattr(wobject.geometry, "morph_positions")
+    if deforms and wobject.material.tier == "tensor":
         raise ArgumentError(
-            f'{name}: a mesh that bends turns its tensors; use SkinMaterial(tier="scalar")'
+            f'{name}: shape operators do not follow a deforming mesh; use SkinMaterial(tier="scalar")'
         )
     if "face" in str(wobject.material.color_mode):
         raise ArgumentError(
-            f"color_mode is {wobject.material.color_mode}; skin has attributes at vertices, not faces"
+            f"color_mode is {wobject.material.color_mode}; skin needs attributes of vertices, not of faces"
         )
     scales = np.linalg.svd(wobject.world.matrix[:3, :3], compute_uv=False)
     if scales.max() > (1.0 + MOST_UNEVEN) * scales.min():
         raise ArgumentError(
-            f"{name}: is scaled by {scales.min():.4g} to {scales.max():.4g} along its axes; {EVEN_SCALE}"
+            f"{name}: is scaled by {scales.min():.4g} to {scales.max():.4g} along its axes; {UNIFORM_SCALE}"
         )
 
 
 def _uv_scale_mm(material: Any, geometry: pygfx.Geometry) -> float:
-    given = material.uv_scale_mm
-    found = getattr(geometry, "uv_scale_mm", None) if given is None else given
-    if found is None and material.normal_map is not None:
+    scale = material.uv_scale_mm
+    if scale is None:
+        scale = getattr(geometry, "uv_scale_mm", None)
+    if scale is None and material.normal_map is not None:
         raise ArgumentError(
             "a normal map is blurred in mm: give uv_scale_mm, or a geometry made with"
             " skinshade.integrations.pygfx.skin_geometry of a mesh with UVs"
         )
-    return float(found or 1.0)
+    return 1.0 if scale is None else float(scale)

@@ -1,0 +1,62 @@
+"""Constants and disks of taps that the specification and the shader library share."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+import numpy as np
+
+from skinshade._core.arrays import FloatArray
+from skinshade.shading import ambient, deep_scatter, direct, energy, image_light, shadow, specular
+
+__all__ = ["constants_source", "definition"]
+
+HEADER = "// Generated from the specification by `python -m codegen`."
+
+LIBRARY: dict[ModuleType, tuple[str, ...]] = {
+    ambient: ("COSINE_BANDS",),
+    deep_scatter: ("CLASSIC_WRAP",),
+    direct: ("SMOOTH_SHORTFALL",),
+    energy: ("GAIN_SLOPE",),
+    image_light: ("REFLECTION_LEVELS", "REFLECTION_ROWS"),
+    shadow: (
+        "ATTACHED_MM",
+        "DARK_BEYOND",
+        "HOLLOW_PER_MM",
+        "LEAST_COSINE",
+        "LEAST_VARIANCE_MM2",
+        "SHADOW_BIAS_MM",
+        "STEEPEST_SLOPE",
+        "TERMINATOR_REACH_MM",
+    ),
+    specular: ("POWER_OCTAVES", "SHARPEST_POWER", "SHARP_LOBE_SHARE"),
+}
+"""Names of the constants by the module of the specification that defines them."""
+
+
+def constants_source() -> str:
+    """Return the constants and the disks of taps as Slang."""
+    lines = [HEADER, "#ifndef SKIN_CONSTANTS_SLANG", "#define SKIN_CONSTANTS_SLANG", ""]
+    for module, names in LIBRARY.items():
+        lines += [definition(f"SKIN_{name}", getattr(module, name)) for name in names]
+    for taps in shadow.SHADOW_TAPS:
+        lines += _disk(f"SKIN_SHADOW_DISK_{taps}", shadow.shadow_disk(taps))
+    for taps in deep_scatter.THICKNESS_TAPS:
+        lines += _disk(f"SKIN_POISSON_{taps}", deep_scatter.poisson_disk(taps))
+    return "\n".join([*lines, "", "#endif", ""])
+
+
+def definition(name: str, value: float | FloatArray) -> str:
+    """Return a Slang constant: an int, a float, or a vector of floats."""
+    if isinstance(value, int):
+        return f"static const int {name} = {value};"
+    if np.ndim(value) == 0:
+        return f"static const float {name} = {value!r};"
+    numbers = ", ".join(f"{number:.9g}" for number in np.asarray(value))
+    kind = f"float{np.size(value)}"
+    return f"static const {kind} {name} = {kind}({numbers});"
+
+
+def _disk(name: str, points: FloatArray) -> list[str]:
+    rows = ",\n".join(f"    float2({x:.8f}, {y:.8f})" for x, y in points)
+    return ["", f"static const float2 {name}[{len(points)}] =", "{", rows, "};"]

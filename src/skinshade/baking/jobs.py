@@ -1,0 +1,291 @@
+"""Jobs of a library: output of each asset, test whether it is current, and result of baking it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, field
+from glob import escape
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+import numpy as np
+
+from .._core.arrays import FloatArray
+from .._core.errors import ArgumentError, SkinshadeError
+from .._core.files import atomic_write
+from .._core.version import __version__
+from ..gltf import GLTF_SUFFIXES, read_gltf
+from ..mesh.readers import SUFFIXES
+from ..profile import Profile
+from ..scene.images import write_png
+from .analysis import BakedMesh
+from .asset import BakedAsset, bake
+from .maps import UNITS as MAP_UNITS
+from .settings import BakeSettings, OutputFormat
+from .thumbnails import thumbnails
+
+__all__ = ["Job", "JobResult", "failure", "plan_jobs", "run_job", "status_counts"]
+
+Status = Literal["baked", "current", "failed"]
+RECORDS = ".skinshade"
+"""Folder in the output with a record of each asset, so that current assets are not baked again."""
+HISTOGRAM_BINS = 48
+
+
+@dataclass(frozen=True)
+class Job:
+    """One asset to bake.
+
+    Attributes
+    ----------
+    source, output
+        Files of the asset.
+    record, thumbnail
+        Files of the record and of the thumbnails.
+    settings
+        Settings of the bake.
+    with_thumbnail
+        Whether thumbnails are drawn.
+    """
+
+    source: Path
+    output: Path
+    record: Path
+    thumbnail: Path
+    settings: BakeSettings
+    with_thumbnail: bool = False
+
+
+@dataclass(frozen=True)
+class JobResult:
+    """Result of a job, in JSON types.
+
+    Attributes
+    ----------
+    source, output
+        Files of the job.
+    status
+        ``baked``, ``current`` (nothing to do) or ``failed``.
+    error
+        Reason of a failure, else empty.
+    key
+        Hash of the source, the files that it refers to, the settings and the version.
+    files
+        Hash of each file that was written, by its name.
+    meshes
+        Name, unit, counts, ranges, histograms and notes of each mesh.
+    """
+
+    source: str
+    output: str
+    status: Status
+    error: str = ""
+    key: str = ""
+    files: dict[str, str] = field(default_factory=dict)
+    meshes: list[dict[str, Any]] = field(default_factory=list)
+
+
+def plan_jobs(
+    sources: Sequence[Path],
+    folder: Path,
+    settings: BakeSettings,
+    output_format: str | None = None,
+    *,
+    with_thumbnails: bool = False,
+) -> list[Job]:
+    """Return a job for every model. Outputs keep the paths of the models below their common folder.
+
+    Parameters
+    ----------
+    sources
+        Models, or folders whose models are all baked.
+    folder
+        Folder of the outputs.
+    settings
+        Settings of the bake.
+    output_format
+        ``glb``, ``ply``, ``usda`` or ``usdc``; if None, glTF files keep their suffix and other files
+        become ``.glb``.
+    with_thumbnails
+        Whether thumbnails are drawn.
+
+    Raises
+    ------
+    ArgumentError
+        If there is no model, the format is unknown, or two models have the same output.
+    """
+    suffix = None
+    if output_format is not None:
+        suffix = f".{OutputFormat.of(output_format, 'output_format')}"
+    missing = [source for source in sources if not source.exists()]
+    if missing:
+        raise ArgumentError(f"{missing[0]}: no such file or folder")
+    models = sorted({path.resolve() for source in sources for path in _models(source, folder)})
+    if not models:
+        raise ArgumentError(
+            "there is no model to bake; give .glb, .gltf, .obj, .ply or .stl files outside the output"
+        )
+    common = _common_folder(models)
+    jobs: dict[Path, Job] = {}
+    owners: dict[Path, Path] = {}
+    for source in models:
+        is_gltf = source.suffix.lower() in GLTF_SUFFIXES
+        ending = suffix or (source.suffix if is_gltf else ".glb")
+        relative = source.relative_to(common).with_suffix(ending)
+        output = folder / relative
+        if output.resolve() in models:
+            raise ArgumentError(f"{output}: is one of the sources; choose another output folder")
+        # Texture maps are named after the asset without its suffix.
+        name = output.with_suffix("") if settings.map_size else output
+        owner = owners.setdefault(name, source)
+        if owner != source:
+            raise ArgumentError(
+                f"{owner} and {source} would both be written to {name}; bake them into two folders"
+            )
+        record, thumbnail = (folder / RECORDS / f"{relative}.{kind}" for kind in ("json", "png"))
+        jobs[output] = Job(source, output, record, thumbnail, settings, with_thumbnails)
+    return list(jobs.values())
+
+
+def run_job(job: Job) -> JobResult:
+    """Bake an asset unless it is current. Errors are returned in the result, not raised."""
+    try:
+        key = _key(job)
+        current = _current_result(job, key)
+        if current is not None:
+            return current
+        job.output.parent.mkdir(parents=True, exist_ok=True)
+        _remove_temporary_files(job)
+        baked = bake(job.source, job.output, job.settings)
+        result = JobResult(
+            str(job.source),
+            str(job.output),
+            "baked",
+            key=key,
+            files={str(path.relative_to(job.output.parent)): _hash(path) for path in baked.written},
+            meshes=_mesh_records(baked),
+        )
+        job.record.parent.mkdir(parents=True, exist_ok=True)
+        if job.with_thumbnail:
+            profile = Profile.preset(job.settings.profile)
+            write_png(job.thumbnail, thumbnails(baked.meshes, profile))
+        with atomic_write(job.record) as temporary:
+            temporary.write_text(json.dumps(asdict(result), indent=1) + "\n", encoding="utf-8")
+    except SkinshadeError as error:
+        return failure(job, str(error))
+    except (MemoryError, RecursionError):
+        return failure(job, f"{job.source}: out of memory")
+    except OSError as error:
+        return failure(job, f"{job.source}: {error}")
+    except Exception as error:
+        return failure(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
+    return result
+
+
+def _remove_temporary_files(job: Job) -> None:
+    """Remove temporary files of earlier processes that were killed while they ran this job."""
+    buffer_file = job.output.with_suffix(".skinshade.bin")
+    maps = [job.output.with_suffix(f".{name}.{job.settings.map_format}") for name in MAP_UNITS]
+    for target in (job.output, job.record, buffer_file, *maps):
+        # `atomic_write` adds eight random characters to the name.
+        for path in target.parent.glob(f".{escape(target.stem)}-????????{escape(target.suffix)}"):
+            path.unlink(missing_ok=True)
+
+
+def failure(job: Job, error: str) -> JobResult:
+    """Return the result of a job that failed with an error message."""
+    return JobResult(str(job.source), str(job.output), "failed", error=error)
+
+
+def status_counts(results: Iterable[JobResult]) -> dict[str, int]:
+    """Return the number of results of each status."""
+    counts = Counter(result.status for result in results)
+    return {status: counts[status] for status in get_args(Status)}
+
+
+def _models(source: Path, folder: Path) -> list[Path]:
+    """Return a file itself, or the models in a folder except those in the output folder."""
+    if not source.is_dir():
+        return [source]
+    outputs = folder.resolve()
+    models = [
+        path for path in source.rglob("*") if path.suffix.lower() in SUFFIXES and path.is_file()
+    ]
+    return [path for path in models if not path.resolve().is_relative_to(outputs)]
+
+
+def _common_folder(models: list[Path]) -> Path:
+    common = models[0].parent
+    while not all(model.is_relative_to(common) for model in models):
+        common = common.parent
+    return common
+
+
+def _key(job: Job) -> str:
+    """Return the hash of the source, the files that it refers to, the settings and the version."""
+    digest = hashlib.sha256(f"{__version__} {job.output.suffix} {job.settings}".encode())
+    digest.update(job.source.read_bytes() if job.source.is_file() else b"")
+    if job.source.suffix.lower() in GLTF_SUFFIXES:
+        gltf = read_gltf(job.source)
+        for relative in gltf.external_files():
+            file = gltf.path.parent / relative
+            digest.update(str(relative).encode())
+            digest.update(file.read_bytes() if file.is_file() else b"")
+    return digest.hexdigest()
+
+
+def _current_result(job: Job, key: str) -> JobResult | None:
+    """Return the recorded result of a job if its key and all its files are unchanged."""
+    try:
+        record = json.loads(job.record.read_text(encoding="utf-8"))
+        files = {str(name): str(value) for name, value in record["files"].items()}
+        if record["key"] != key or not files:
+            return None
+        if job.with_thumbnail and not job.thumbnail.is_file():
+            return None
+        for name, value in files.items():
+            if _hash(job.output.parent / name) != value:
+                return None
+        return JobResult(
+            str(job.source), str(job.output), "current", "", key, files, list(record["meshes"])
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def _hash(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _histogram(values: FloatArray) -> list[int]:
+    """Return the counts of values in bins of equal width."""
+    low, high = float(values.min()), float(values.max())
+    # The margin keeps the width of bins above 0 if all values are equal up to rounding.
+    margin = 1e-6 * max(abs(low), abs(high)) or 0.5
+    counts, _ = np.histogram(values, HISTOGRAM_BINS, (low - margin, high + margin))
+    result: list[int] = counts.tolist()
+    return result
+
+
+def _mesh_records(baked: BakedAsset) -> list[dict[str, Any]]:
+    return [_mesh_record(mesh) for mesh in baked.meshes]
+
+
+def _mesh_record(baked: BakedMesh) -> dict[str, Any]:
+    attributes = baked.analysis.attributes
+    return {
+        "name": baked.name,
+        "unit_mm": baked.mesh.unit_mm,
+        "vertices": len(baked.mesh.positions),
+        "triangles": len(baked.mesh.faces),
+        "size_mm": [float(side) for side in np.ptp(baked.mesh.positions_mm, axis=0)],
+        "uv_scale_mm": baked.analysis.uv_scale_mm,
+        "ranges": {
+            name: [float(values.min()), float(values.max())] for name, values in attributes.items()
+        },
+        "histograms": {name: _histogram(values) for name, values in attributes.items()},
+        "notes": baked.all_notes,
+    }

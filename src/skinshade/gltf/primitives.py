@@ -1,0 +1,287 @@
+"""Triangles of glTF meshes: primitives of every mode, joined and placed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .._core.arrays import FloatArray, IntArray, as_positions, dot
+from .._core.errors import MeshFileError
+from .accessors import FAN, STRIP, TRIANGLES, accessor_width, read_accessor, read_triangles
+from .document import COMPRESSED, GltfDocument
+from .draco import DRACO, read_draco
+from .placement import mesh_placements
+
+__all__ = ["Part", "Placed", "TriangleSet", "geometry_key", "joined", "read_mesh", "read_scene"]
+
+WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
+"""Numbers of the attributes that are always read."""
+
+
+@dataclass(frozen=True)
+class TriangleSet:
+    """Triangles with their vertices.
+
+    Attributes
+    ----------
+    positions
+        (V, 3).
+    faces
+        (F, 3) indices of vertices.
+    normals
+        (V, 3) as stored, or None.
+    uvs
+        (V, 2), v down, or None.
+    attributes
+        Custom attributes (V, n) by their names in the document.
+    """
+
+    positions: FloatArray
+    faces: IntArray
+    normals: FloatArray | None
+    uvs: FloatArray | None
+    attributes: Mapping[str, FloatArray] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A primitive of a mesh.
+
+    Attributes
+    ----------
+    number
+        Index of the primitive in the mesh.
+    vertices
+        Its vertices in the mesh's `TriangleSet`; primitives can share them.
+    """
+
+    number: int
+    vertices: slice
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A mesh as the scene shows it.
+
+    Attributes
+    ----------
+    mesh
+        Index of the mesh.
+    matrix
+        (4, 4) from the mesh's axes to the scene's.
+    triangles
+        Its triangles in the scene's axes.
+    """
+
+    mesh: int
+    matrix: FloatArray
+    triangles: TriangleSet
+
+
+def read_mesh(
+    gltf: GltfDocument, index: int, *, custom: bool = False
+) -> tuple[list[Part], TriangleSet] | None:
+    """Return the primitives of a mesh and their joined triangles, or None if it has no triangles.
+
+    Attributes that not every primitive has are left out.
+
+    Parameters
+    ----------
+    gltf
+        Document.
+    index
+        Index of the mesh.
+    custom
+        Read custom attributes, whose names begin with an underscore.
+
+    Raises
+    ------
+    MeshFileError
+        If the mesh is malformed.
+    """
+    parts: list[Part] = []
+    tables: list[dict[str, FloatArray]] = []
+    faces: list[IntArray] = []
+    known: dict[str, slice] = {}
+    start = 0
+    for number, primitive in _triangle_primitives(gltf, index):
+        where = f"mesh {index}: primitive {number}"
+        widths = WIDTHS | (_custom_widths(gltf, primitive, where) if custom else {})
+        key = _vertex_key(primitive, widths)
+        table, corners = None, None
+        if DRACO in (primitive.get("extensions") or {}):
+            table, corners = read_draco(gltf, primitive, widths, where)
+        elif key not in known:  # primitives often share vertices and differ in their indices
+            table = _read_attributes(gltf, primitive, widths, where)
+        if table is not None:
+            known[key] = slice(start, start + len(table["POSITION"]))
+            tables.append(table)
+            start = known[key].stop
+        vertices = known[key]
+        if corners is None:
+            corners = read_triangles(gltf, primitive, vertices.stop - vertices.start, where)
+        faces.append(corners + vertices.start)
+        parts.append(Part(number, vertices))
+    if not sum(map(len, faces)):
+        return None
+    return parts, _triangle_set(tables, np.concatenate(faces))
+
+
+def read_scene(gltf: GltfDocument, *, custom: bool = False) -> list[Placed]:
+    """Return the meshes of the default scene, placed; skinned meshes in their bind pose.
+
+    Parameters
+    ----------
+    gltf
+        Document.
+    custom
+        Read custom attributes, whose names begin with an underscore.
+
+    Raises
+    ------
+    MeshFileError, ArgumentError
+        If the document is malformed, holds no triangles, or a position is out of range.
+    """
+    placements = mesh_placements(gltf, visible_only=True)
+    placed = []
+    for index in range(len(gltf.items("meshes"))):
+        matrices = placements.get(index, [] if "nodes" in gltf.json else [np.eye(4)])
+        mesh = read_mesh(gltf, index, custom=custom) if matrices else None
+        if mesh is None:
+            continue
+        where = f"{gltf.path}: mesh {index}"
+        as_positions(f"{where}: positions", mesh[1].positions)
+        for matrix in matrices:
+            gltf.count_numbers(mesh[1].positions.size + mesh[1].faces.size, where)
+            placed.append(Placed(index, matrix, _placed(mesh[1], matrix)))
+    if not placed:
+        raise MeshFileError(f"{gltf.path}: holds no triangles")
+    return placed
+
+
+def geometry_key(gltf: GltfDocument, index: int) -> str:
+    """Return a key that is equal for meshes of a document with equal geometry."""
+    return repr(
+        [
+            (
+                number,
+                primitive.get("indices"),
+                primitive.get("mode"),
+                _vertex_key(primitive, WIDTHS),
+                primitive.get("extensions"),
+            )
+            for number, primitive in _triangle_primitives(gltf, index)
+        ]
+    )
+
+
+def joined(sets: Sequence[TriangleSet]) -> TriangleSet:
+    """Return one set of all triangles. Normals, UVs or attributes that one set lacks are left out."""
+    if len(sets) == 1:
+        return sets[0]
+    starts = np.cumsum([0, *(len(part.positions) for part in sets[:-1])])
+    shared = set.intersection(
+        *({(name, v.shape[1]) for name, v in part.attributes.items()} for part in sets)
+    )
+    return TriangleSet(
+        np.concatenate([part.positions for part in sets]),
+        np.concatenate([part.faces + start for part, start in zip(sets, starts, strict=True)]),
+        _all_or_none([part.normals for part in sets]),
+        _all_or_none([part.uvs for part in sets]),
+        {
+            name: np.concatenate([part.attributes[name] for part in sets])
+            for name, _ in sorted(shared)
+        },
+    )
+
+
+def _placed(triangles: TriangleSet, matrix: FloatArray) -> TriangleSet:
+    rows, normals = matrix[:3, :3], triangles.normals
+    # Normals are transformed by the cofactors, which stay finite where a scale is 0. Values that are not
+    # finite are refused later.
+    with np.errstate(over="ignore", invalid="ignore"):
+        cofactors = np.cross(np.roll(rows, -1, axis=0), np.roll(rows, -2, axis=0))
+        mirrored = float(dot(rows[0], cofactors[0])) < 0.0
+        if normals is not None:
+            normals = normals @ (-cofactors if mirrored else cofactors).T
+        positions = triangles.positions @ rows.T + matrix[:3, 3]
+    faces = triangles.faces[:, ::-1] if mirrored else triangles.faces
+    return TriangleSet(positions, faces, normals, triangles.uvs, triangles.attributes)
+
+
+def _vertex_key(primitive: dict[str, Any], names: Iterable[str]) -> str:
+    """Return a key that is equal for primitives with the same accessors of these attributes."""
+    return repr([primitive["attributes"].get(name) for name in sorted(names)])
+
+
+def _triangle_primitives(gltf: GltfDocument, index: int) -> Iterator[tuple[int, dict[str, Any]]]:
+    """Yield number and JSON of every primitive with triangles, checked."""
+    primitives = gltf.items("meshes")[index].get("primitives")
+    if not isinstance(primitives, list) or not all(isinstance(p, dict) for p in primitives):
+        raise MeshFileError(f"{gltf.path}: mesh {index}: primitives is not an array of objects")
+    for number, primitive in enumerate(primitives):
+        here = f"{gltf.path}: mesh {index}: primitive {number}"
+        attributes = primitive.get("attributes")
+        if not isinstance(attributes, dict):
+            raise MeshFileError(f"{here} has no attributes")
+        extensions = primitive.get("extensions", {})
+        if not isinstance(extensions, dict):
+            raise MeshFileError(f"{here}: extensions is not an object")
+        for name, compression in COMPRESSED.items():
+            if name in extensions:
+                raise MeshFileError(
+                    f"{here} is compressed by {compression}, which cannot be decoded; export it"
+                    " uncompressed"
+                )
+        mode = primitive.get("mode", TRIANGLES)
+        if mode in (TRIANGLES, STRIP, FAN) and "POSITION" in attributes:
+            yield number, primitive
+        elif mode not in range(7):
+            raise MeshFileError(f"{here}: mode is {mode!r}; it must be 0..6")
+
+
+def _custom_widths(gltf: GltfDocument, primitive: dict[str, Any], where: str) -> dict[str, int]:
+    widths = {
+        name: accessor_width(gltf, accessor, f"{where}: {name}")
+        for name, accessor in primitive["attributes"].items()
+        if name.startswith("_")
+    }
+    return {name: width for name, width in widths.items() if width is not None}
+
+
+def _read_attributes(
+    gltf: GltfDocument, primitive: dict[str, Any], widths: Mapping[str, int], where: str
+) -> dict[str, FloatArray]:
+    attributes = primitive["attributes"]
+    table = {
+        name: read_accessor(gltf, attributes[name], f"{where}: {name}", width=width)
+        for name, width in widths.items()
+        if name in attributes
+    }
+    count = len(table["POSITION"])
+    for name, values in table.items():
+        if len(values) != count:
+            raise MeshFileError(
+                f"{gltf.path}: {where}: {name} has {len(values)} elements for {count} vertices"
+            )
+    return table
+
+
+def _triangle_set(tables: Sequence[Mapping[str, FloatArray]], faces: IntArray) -> TriangleSet:
+    positions = np.concatenate([table["POSITION"] for table in tables])
+    normals, uvs = (
+        _all_or_none([table.get(name) for table in tables]) for name in ("NORMAL", "TEXCOORD_0")
+    )
+    names = [name for name in tables[0] if name not in WIDTHS]
+    columns = {name: _all_or_none([table.get(name) for table in tables]) for name in names}
+    attributes = {name: values for name, values in columns.items() if values is not None}
+    return TriangleSet(positions, faces, normals, uvs, attributes)
+
+
+def _all_or_none(arrays: Sequence[FloatArray | None]) -> FloatArray | None:
+    present = [array for array in arrays if array is not None]
+    shapes = {array.shape[1:] for array in present}
+    return np.concatenate(present) if len(present) == len(arrays) and len(shapes) == 1 else None

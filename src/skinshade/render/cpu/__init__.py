@@ -1,1 +1,0 @@
-"""The CPU backend: the specification on a G-buffer."""

@@ -1,0 +1,267 @@
+"""CPU renderer: evaluates the specification on a G-buffer, in chunks, on all cores."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..._core.arrays import FloatArray, ImageArray, dot
+from ..._core.progress import Progress, silent
+from ...params.choices import TERM_VIEWS, ShadowFilter, View
+from ...scene import Camera, Light, Scene
+from ...shading.compose import shade
+from ...shading.image_light import reflected_radiance
+from ...shading.pixel import Ambient, Incident, Surface
+from ...shading.shadow import DARK_BEYOND
+from ...shading.skin import Skin
+from ...shading.specular import reflected
+from ..backend import Renderer
+from ..prepare.rasterizer import Fragments, rasterize
+from ..prepare.samples import sample_offsets
+from ..prepare.scene import prepare_scene
+from ..prepare.shadow_filter import WideFilter, build_filter
+from ..prepare.shadow_map import ShadowMap, thickness
+from ..settings import RenderSettings
+from .background import background_light
+from .surface import pixel_surface
+from .views import surface_view
+
+__all__ = ["CpuRenderer"]
+
+CHUNK = 1 << 14
+"""Pixels shaded at once. The arrays of a chunk fit in the caches of one core."""
+NO_WALL_MM = 1e3
+"""Thickness where the surface faces the light and no taps are taken."""
+
+Columns = Mapping[str, FloatArray]
+Filters = Mapping[ShadowFilter, Sequence[WideFilter]]
+
+
+@dataclass(frozen=True)
+class _Request:
+    """Request for several pictures of one view, with all tables and filters that they need."""
+
+    camera: Camera
+    samples: int
+    settings: Sequence[RenderSettings]
+    skin: Skin
+    filters: Filters
+
+
+class CpuRenderer(Renderer):
+    """A scene prepared for the CPU.
+
+    Parameters
+    ----------
+    scene
+        The scene to draw.
+    progress
+        Called with the name of the work and the fraction that is done.
+    """
+
+    def __init__(self, scene: Scene, progress: Progress = silent) -> None:
+        self.scene = scene
+        self.prepared = prepare_scene(scene, progress)
+        self._progress = progress
+        self._skin = self.prepared.skin
+        self._filters: Filters = {}
+        if self.prepared.closer_filters:
+            self._filters = {ShadowFilter.PERCENTAGE_CLOSER: self.prepared.closer_filters}
+
+    @property
+    def device_name(self) -> str:
+        """Name of the device: the CPU."""
+        return "the CPU"
+
+    @property
+    def timings_ms(self) -> dict[str, list[float]]:
+        """Times of passes: empty, because the CPU has no passes."""
+        return {}
+
+    def draw_many(
+        self,
+        camera: Camera,
+        size: tuple[int, int],
+        samples: int,
+        settings: Sequence[RenderSettings],
+    ) -> list[ImageArray]:
+        """Draw one view with several settings; each sample is rasterised once for all of them."""
+        width, height = size
+        request = self._request(camera, samples, settings)
+        totals = np.zeros((len(settings), height * width, 3))
+        coverage = np.zeros(height * width)
+        clip = self._clip(camera, size)
+        with ThreadPoolExecutor(max(1, os.cpu_count() or 1)) as pool:
+            for index, offset in enumerate(sample_offsets(samples, settings[0].seed)):
+                self._progress("shading", index / samples)
+                fragments = rasterize(clip, self.scene.mesh.faces, size, offset)
+                chunks = list(_chunks(fragments))
+                shaded = pool.map(lambda chunk: self._shade(chunk, request), chunks)
+                for chunk, colours in zip(chunks, shaded, strict=True):
+                    coverage[chunk.pixel] += 1.0
+                    for total, colour in zip(totals, colours, strict=True):
+                        total[chunk.pixel] += colour
+        self._progress("shading", 1.0)
+        coverage /= samples
+        background = (1.0 - coverage[:, None]) * background_light(self.scene, camera, size)
+        images = []
+        for total in totals:
+            image = np.concatenate([total / samples + background, coverage[:, None]], axis=1)
+            images.append(image.reshape(height, width, 4).astype(np.float32))
+        return images
+
+    def _request(
+        self, camera: Camera, samples: int, settings: Sequence[RenderSettings]
+    ) -> _Request:
+        """Return a request; its missing tables and filters are built here, before threads start."""
+        luts = {name for setting in settings for name in setting.luts}
+        fetches = {setting.normal_fetches for setting in settings}
+        self._skin = self._skin.including(sorted(luts), sorted(fetches))
+        width = self._skin.params.shadow_filter_width_mm
+        for kind in {setting.shadow_filter for setting in settings} - set(self._filters):
+            filters = [
+                build_filter(kind, shadow_map, width) for shadow_map in self.prepared.shadow_maps
+            ]
+            self._filters = {**self._filters, kind: filters}
+        return _Request(camera, samples, settings, self._skin, self._filters)
+
+    def _clip(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
+        matrix = camera.view_projection(size[0] / size[1])
+        return self.scene.mesh.positions_mm @ matrix[:, :3].T + matrix[:, 3]
+
+    def _shade(self, chunk: Fragments, request: _Request) -> list[FloatArray]:
+        """Return the colours (N, 3) of a chunk of pixels for each of the settings."""
+        columns = self.prepared.vertices.interpolated(chunk.face, chunk.barycentric)
+        surfaces = {
+            fetches: pixel_surface(
+                self.prepared,
+                request.skin,
+                chunk,
+                columns,
+                request.camera,
+                request.samples,
+                fetches,
+            )
+            for fetches in {setting.normal_fetches for setting in request.settings}
+        }
+        surface = next(iter(surfaces.values()))
+        position = columns["position"]
+        incident = {
+            kind: [
+                _incident(light, wide_filter, position, surface)
+                for light, wide_filter in zip(self.scene.lights, request.filters[kind], strict=True)
+            ]
+            for kind in {setting.shadow_filter for setting in request.settings}
+        }
+        to_light = [light.to_light for light in next(iter(incident.values()))]
+        thicknesses = {
+            taps: [
+                _thickness(shadow_map, direction, position, surface, request.skin, taps)
+                for shadow_map, direction in zip(self.prepared.shadow_maps, to_light, strict=True)
+            ]
+            for taps in {setting.thickness_taps for setting in request.settings}
+        }
+        ambient = self._ambient(columns, surface)
+        colours = []
+        for setting in request.settings:
+            lights = [
+                replace(light, thickness_mm=depth)
+                for light, depth in zip(
+                    incident[setting.shadow_filter],
+                    thicknesses[setting.thickness_taps],
+                    strict=True,
+                )
+            ]
+            colours.append(
+                _colour(request.skin, surfaces[setting.normal_fetches], lights, ambient, setting)
+            )
+        return colours
+
+    def _ambient(self, columns: Columns, surface: Surface) -> Ambient | None:
+        prepared = self.prepared
+        if prepared.radiance_sh is None or prepared.preconvolved is None:
+            return None
+        direction = reflected(surface.sharp, surface.view)
+        return Ambient(
+            prepared.radiance_sh,
+            columns["visibility"],
+            columns["bounced"],
+            reflected_radiance(prepared.preconvolved, direction, surface.gloss),
+            columns["through"],
+        )
+
+
+def _incident(
+    light: Light, wide_filter: WideFilter, position: FloatArray, surface: Surface
+) -> Incident:
+    """Return the incident light at N pixels, without thickness."""
+    normal = surface.mesh_normal
+    to_light, irradiance = light.at(position)
+    cosine = dot(normal, to_light)
+    lit = np.flatnonzero(cosine > DARK_BEYOND)
+    shadow_filter = np.zeros(cosine.size)
+    shadow_filter[lit] = wide_filter.lit(
+        position[lit], normal[lit], to_light[lit], surface.curvature_per_mm[lit]
+    )
+    return Incident(to_light, irradiance / np.pi, shadow_filter)
+
+
+def _thickness(
+    shadow_map: ShadowMap,
+    to_light: FloatArray,
+    position: FloatArray,
+    surface: Surface,
+    skin: Skin,
+    taps: int,
+) -> FloatArray | None:
+    """Return the thickness (N,) of the body towards a light, mm; None without taps."""
+    if not taps:
+        return None
+    cosine = dot(surface.mesh_normal, to_light)
+    behind = np.flatnonzero(cosine < 0.5)
+    result = np.full(cosine.size, NO_WALL_MM)
+    result[behind] = thickness(
+        shadow_map,
+        position[behind],
+        surface.mesh_normal[behind],
+        skin.params.deep_scatter_offset_mm,
+        skin.params.deep_scatter_filter_mm,
+        taps,
+    )
+    return result
+
+
+def _colour(
+    skin: Skin,
+    surface: Surface,
+    lights: list[Incident],
+    ambient: Ambient | None,
+    settings: RenderSettings,
+) -> FloatArray:
+    """Return the colours (N, 3) of N pixels."""
+    view = surface_view(settings.debug_view, surface, lights)
+    if view is not None:
+        return view
+    if ambient is not None and not settings.deep_scatter_taps:
+        ambient = replace(ambient, through=None)
+    terms = shade(skin, surface, lights, ambient, settings.shading, settings.tier)
+    if settings.debug_view != View.PICTURE:
+        return terms[TERM_VIEWS[settings.debug_view]]
+    total: FloatArray = np.sum(list(terms.values()), axis=0)
+    return total
+
+
+def _chunks(fragments: Fragments) -> Iterator[Fragments]:
+    for start in range(0, fragments.pixel.size, CHUNK):
+        part = slice(start, start + CHUNK)
+        yield Fragments(
+            fragments.pixel[part],
+            fragments.face[part],
+            fragments.barycentric[part],
+            fragments.along_x[part],
+            fragments.along_y[part],
+        )

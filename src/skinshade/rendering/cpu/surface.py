@@ -1,0 +1,131 @@
+"""Surface at each pixel, from interpolated attributes and fetched maps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..._core.arrays import FloatArray, dot, unit_vectors
+from ...params.choices import MaterialMap
+from ...scene import Camera
+from ...shading.normals import blur_level
+from ...shading.pixel import Surface
+from ...shading.skin import Skin
+from ...shading.specular import gloss_of_relief
+from ..prepare.rasterizer import Fragments
+from ..prepare.scene import PreparedScene
+
+__all__ = ["pixel_surface"]
+
+
+def pixel_surface(
+    prepared: PreparedScene,
+    skin: Skin,
+    fragments: Fragments,
+    columns: Mapping[str, FloatArray],
+    camera: Camera,
+    samples: int,
+    fetches: int,
+) -> Surface:
+    """Return the surface at N fragments.
+
+    Parameters
+    ----------
+    prepared
+        The scene.
+    skin
+        Material of the scene, with the weights of the fetches.
+    fragments
+        Visible faces of the pixels.
+    columns
+        Interpolated vertex attributes.
+    camera
+        Camera of the view.
+    samples
+        Samples per pixel. The sides of a sample's footprint are those of the pixel, divided by the square
+        root of this number.
+    fetches
+        Fetches of the normal map, 2 or 3.
+    """
+    footprint = _Footprint(prepared, fragments, columns["uv"], samples)
+    params, count = skin.params, fragments.pixel.size
+    # Interpolation between vertices shortens normals; this shortening is not relief.
+    length = np.maximum(np.sqrt(dot(columns["normal"], columns["normal"])), 1e-3)
+    normal = unit_vectors(columns["normal"])
+    gloss, reflectance = np.full(count, params.gloss), np.full(count, params.reflectance)
+    if MaterialMap.SPECULAR in prepared.textures:
+        factor, gloss = footprint.fetch(MaterialMap.SPECULAR).T
+        reflectance = params.reflectance * factor
+    albedo = prepared.scene.material.albedo
+    if prepared.textures[MaterialMap.ALBEDO].size > 1:
+        colour = footprint.fetch(MaterialMap.ALBEDO)
+    else:
+        colour = np.repeat(albedo.reshape(1, 3).astype(np.float64), count, axis=0)
+    tint = np.ones((count, 3))
+    if MaterialMap.DEEP_SCATTER in prepared.textures:
+        tint = footprint.fetch(MaterialMap.DEEP_SCATTER)
+    fetched = _fetched_normals(prepared, skin, footprint, columns["tangent"], normal, fetches)
+    return Surface(
+        view=unit_vectors(camera.position_mm - columns["position"]),
+        mesh_normal=normal,
+        fetched=fetched,
+        curvature_per_mm=columns["curvature"][:, 0],
+        albedo=colour,
+        gloss=gloss_of_relief(gloss, np.sqrt(dot(fetched[:, 0], fetched[:, 0]))),
+        reflectance=reflectance,
+        tint=tint,
+        tensor_world=columns["tensor"],
+        diffused_normals=columns["diffused_normals"].reshape(-1, 3, 3) / length[:, None, None],
+        diffused_curvature_per_mm=columns["diffused_curvature"],
+        mesh_relief=columns["mesh_relief"],
+    )
+
+
+class _Footprint:
+    """Texture coordinates of pixels and their change from one pixel to the next."""
+
+    def __init__(
+        self, prepared: PreparedScene, fragments: Fragments, uv: FloatArray, samples: int
+    ) -> None:
+        self._textures, self.uv = prepared.textures, uv
+        vertices = prepared.vertices
+        corners = vertices.column("uv")[vertices.faces[fragments.face]]
+        spread = 1.0 / np.sqrt(samples)
+        self._along_x = spread * np.einsum("ni,nik->nk", fragments.along_x, corners)
+        self._along_y = spread * np.einsum("ni,nik->nk", fragments.along_y, corners)
+
+    def level(self, kind: MaterialMap) -> FloatArray:
+        """Return the mip level (N,) of a map for the footprint."""
+        return self._textures[kind].level(self._along_x, self._along_y)
+
+    def fetch(self, kind: MaterialMap, level: FloatArray | None = None) -> FloatArray:
+        """Return the values (N, C) of a map at a `level`, or at the level of the footprint."""
+        level = self.level(kind) if level is None else level
+        return self._textures[kind].sample(self.uv, level)
+
+
+def _fetched_normals(
+    prepared: PreparedScene,
+    skin: Skin,
+    footprint: _Footprint,
+    vertex_tangent: FloatArray,
+    normal: FloatArray,
+    fetches: int,
+) -> FloatArray:
+    """Return the normals of the sharp and the blurred maps in world axes, (N, fetches, 3), sharp first."""
+    sigmas = skin.blend(fetches).sigmas_mm
+    if MaterialMap.NORMAL not in prepared.textures:
+        return np.repeat(normal[:, None], sigmas.size + 1, axis=1)
+    tangent = vertex_tangent[:, :3]
+    tangent = unit_vectors(tangent - normal * dot(tangent, normal)[:, None])
+    bitangent = np.cross(normal, tangent) * np.sign(vertex_tangent[:, 3:])
+    sharp_level = footprint.level(MaterialMap.NORMAL)
+    size = prepared.textures[MaterialMap.NORMAL].size
+    levels = [sharp_level]
+    levels += [blur_level(s, prepared.uv_scale_mm, size, sharp_level) for s in sigmas]
+    fetched = []
+    for level in levels:
+        t = footprint.fetch(MaterialMap.NORMAL, level)
+        fetched.append(tangent * t[:, :1] + bitangent * t[:, 1:2] + normal * t[:, 2:])
+    return np.stack(fetched, axis=1)

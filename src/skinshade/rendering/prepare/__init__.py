@@ -1,0 +1,1 @@
+"""Data that both backends need: tables, vertex attributes, mips, ambient light and shadow maps."""

@@ -1,0 +1,1205 @@
+@binding(0) @group(0) var<storage, read> inputs_0 : array<f32>;
+
+@binding(1) @group(0) var<storage, read_write> outputs_0 : array<f32>;
+
+@binding(4) @group(0) var lut_0 : texture_2d<f32>;
+
+@binding(5) @group(0) var lut_sampler_0 : sampler;
+
+@binding(8) @group(0) var transfer_0 : texture_2d<f32>;
+
+@binding(9) @group(0) var transfer_sampler_0 : sampler;
+
+@binding(2) @group(0) var depth_map_0 : texture_2d<f32>;
+
+@binding(3) @group(0) var depth_map_sampler_0 : sampler;
+
+@binding(6) @group(0) var preconvolved_0 : texture_2d<f32>;
+
+@binding(7) @group(0) var preconvolved_sampler_0 : sampler;
+
+fn rsqrt_0( x_0 : f32) -> f32
+{
+    return 1.0f / sqrt(x_0);
+}
+
+var<private> SKIN_POISSON_32_0 : array<vec2<f32>, i32(32)> = array<vec2<f32>, i32(32)>( vec2<f32>(-0.02096010930836201f, 0.01299272011965513f), vec2<f32>(0.69517123699188232f, -0.04910685122013092f), vec2<f32>(0.28034570813179016f, 0.66283899545669556f), vec2<f32>(0.03107489086687565f, -0.69704329967498779f), vec2<f32>(-0.49904009699821472f, 0.54098159074783325f), vec2<f32>(-0.70408397912979126f, -0.14709833264350891f), vec2<f32>(0.53451526165008545f, -0.56702268123626709f), vec2<f32>(-0.48678380250930786f, -0.61486828327178955f), vec2<f32>(0.68837428092956543f, 0.41418349742889404f), vec2<f32>(-0.14107078313827515f, 0.8102262020111084f), vec2<f32>(0.21897397935390472f, -0.3123532235622406f), vec2<f32>(0.31406453251838684f, 0.24951401352882385f), vec2<f32>(-0.83115619421005249f, 0.28457203507423401f), vec2<f32>(-0.40699386596679688f, 0.14198443293571472f), vec2<f32>(-0.10747358947992325f, 0.41360348463058472f), vec2<f32>(-0.19334819912910461f, -0.34689420461654663f), vec2<f32>(0.80768358707427979f, -0.37000563740730286f), vec2<f32>(0.33436411619186401f, -0.82407790422439575f), vec2<f32>(-0.79105347394943237f, -0.45378401875495911f), vec2<f32>(-0.23485180735588074f, -0.86940687894821167f), vec2<f32>(0.37255629897117615f, -0.05855973064899445f), vec2<f32>(0.5726354718208313f, 0.72984015941619873f), vec2<f32>(0.8966706395149231f, 0.17047682404518127f), vec2<f32>(-0.43273070454597473f, 0.81860679388046265f), vec2<f32>(0.1212853416800499f, 0.92984902858734131f), vec2<f32>(-0.42749753594398499f, -0.15111121535301208f), vec2<f32>(-0.94129812717437744f, 0.00735718011856079f), vec2<f32>(0.52211439609527588f, -0.28702935576438904f), vec2<f32>(-0.79033631086349487f, 0.5402228832244873f), vec2<f32>(-0.23410981893539429f, -0.59940856695175171f), vec2<f32>(0.28244560956954956f, -0.563071608543396f), vec2<f32>(0.57051312923431396f, 0.18359191715717316f) );
+var<private> SKIN_POISSON_8_0 : array<vec2<f32>, i32(8)> = array<vec2<f32>, i32(8)>( vec2<f32>(-0.16089901328086853f, -0.04573699831962585f), vec2<f32>(-0.89243310689926147f, 0.18877510726451874f), vec2<f32>(-0.17830690741539001f, 0.7200586199760437f), vec2<f32>(-0.53433239459991455f, -0.70478206872940063f), vec2<f32>(0.22474820911884308f, -0.69165337085723877f), vec2<f32>(0.5559992790222168f, 0.1985180526971817f), vec2<f32>(0.64686292409896851f, -0.3364911675453186f), vec2<f32>(0.33836102485656738f, 0.67131179571151733f) );
+var<private> SKIN_SHADOW_DISK_48_0 : array<vec2<f32>, i32(48)> = array<vec2<f32>, i32(48)>( vec2<f32>(0.08340597897768021f, 0.0f), vec2<f32>(-0.10671073943376541f, 0.09775578230619431f), vec2<f32>(0.01636306010186672f, -0.1864485889673233f), vec2<f32>(0.13498826324939728f, 0.17606829106807709f), vec2<f32>(-0.24817833304405212f, -0.04389924928545952f), vec2<f32>(0.2355383038520813f, -0.14983019232749939f), vec2<f32>(-0.07893361896276474f, 0.29362913966178894f), vec2<f32>(-0.15082783997058868f, -0.29040983319282532f), vec2<f32>(0.32788398861885071f, 0.11974270641803741f), vec2<f32>(-0.34179624915122986f, 0.14108851552009583f), vec2<f32>(0.16510665416717529f, -0.35282331705093384f), vec2<f32>(0.12226484715938568f, 0.38979959487915039f), vec2<f32>(-0.36929354071617126f, -0.21401314437389374f), vec2<f32>(0.4341655969619751f, -0.09545008838176727f), vec2<f32>(-0.2655525803565979f, 0.37772122025489807f), vec2<f32>(-0.06148780882358551f, -0.47449716925621033f), vec2<f32>(0.37834861874580383f, 0.31887263059616089f), vec2<f32>(-0.51034331321716309f, 0.02110430039465427f), vec2<f32>(0.37315717339515686f, -0.37134122848510742f), vec2<f32>(-0.02502750046551228f, 0.54124277830123901f), vec2<f32>(-0.3568427562713623f, -0.42761686444282532f), vec2<f32>(0.56674838066101074f, 0.0762551873922348f), vec2<f32>(-0.48148587346076965f, 0.33500534296035767f), vec2<f32>(0.13193005323410034f, -0.58644229173660278f), vec2<f32>(0.30600649118423462f, 0.53402209281921387f), vec2<f32>(-0.59994620084762573f, -0.1913992166519165f), vec2<f32>(0.58451014757156372f, -0.27005851268768311f), vec2<f32>(-0.25400349497795105f, 0.60692840814590454f), vec2<f32>(-0.22741274535655975f, -0.63226538896560669f), vec2<f32>(0.60710901021957397f, 0.31907948851585388f), vec2<f32>(-0.6766400933265686f, 0.17836016416549683f), vec2<f32>(0.38596493005752563f, -0.60026413202285767f), vec2<f32>(0.12322843074798584f, 0.71703100204467773f), vec2<f32>(-0.58622837066650391f, -0.45400822162628174f), vec2<f32>(0.75288873910903931f, -0.06237528845667839f), vec2<f32>(-0.52258288860321045f, 0.56489682197570801f), vec2<f32>(0.0038233099039644f, -0.78373259305953979f), vec2<f32>(0.53622621297836304f, 0.59111112356185913f), vec2<f32>(-0.80917233228683472f, -0.07499390840530396f), vec2<f32>(0.65910446643829346f, -0.50023680925369263f), vec2<f32>(-0.15080370008945465f, 0.82895052433013916f), vec2<f32>(-0.45701694488525391f, -0.72624564170837402f), vec2<f32>(0.84303575754165649f, 0.23104114830493927f), vec2<f32>(-0.79258495569229126f, 0.40674149990081787f), vec2<f32>(0.31582745909690857f, -0.85189038515090942f), vec2<f32>(0.34976369142532349f, 0.85918575525283813f), vec2<f32>(-0.85765814781188965f, -0.40646019577980042f), vec2<f32>(0.93254464864730835f, -0.28751349449157715f) );
+var<private> SKIN_SHADOW_DISK_16_0 : array<vec2<f32>, i32(16)> = array<vec2<f32>, i32(16)>( vec2<f32>(0.14471825957298279f, 0.0f), vec2<f32>(-0.18583981692790985f, 0.170244500041008f), vec2<f32>(0.02860930934548378f, -0.32598838210105896f), vec2<f32>(0.23701368272304535f, 0.30914238095283508f), vec2<f32>(-0.43773865699768066f, -0.07742980122566223f), vec2<f32>(0.41749045252799988f, -0.26557326316833496f), vec2<f32>(-0.14065909385681152f, 0.52324479818344116f), vec2<f32>(-0.27035140991210938f, -0.52054518461227417f), vec2<f32>(0.59152573347091675f, 0.21602423489093781f), vec2<f32>(-0.6210860013961792f, 0.25637525320053101f), vec2<f32>(0.30247461795806885f, -0.64637070894241333f), vec2<f32>(0.22609943151473999f, 0.72084063291549683f), vec2<f32>(-0.69051814079284668f, -0.40016940236091614f), vec2<f32>(0.82290405035018921f, -0.18091315031051636f), vec2<f32>(-0.5123591423034668f, 0.7287781834602356f), vec2<f32>(-0.12196926772594452f, -0.94122844934463501f) );
+fn skin_map_level_0( map_extent_0 : vec2<f32>,  uv_along_x_0 : vec2<f32>,  uv_along_y_0 : vec2<f32>) -> f32
+{
+    var texels_x_0 : vec2<f32> = uv_along_x_0 * map_extent_0;
+    var texels_y_0 : vec2<f32> = uv_along_y_0 * map_extent_0;
+    var x_1 : f32 = dot(texels_x_0, texels_x_0);
+    var y_0 : f32 = dot(texels_y_0, texels_y_0);
+    return max(0.5f * log2(max(max(min(x_1, y_0), max(x_1, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_map_level(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var _S1 : u32 = thread_0.x;
+    var start_0 : u32 = _S1 * u32(6);
+    outputs_0[_S1] = skin_map_level_0(vec2<f32>(inputs_0[start_0], inputs_0[start_0 + u32(1)]), vec2<f32>(inputs_0[start_0 + u32(2)], inputs_0[start_0 + u32(3)]), vec2<f32>(inputs_0[start_0 + u32(4)], inputs_0[start_0 + u32(5)]));
+    return;
+}
+
+fn skin_blur_level_0( sigma_mm_0 : f32,  uv_scale_mm_0 : f32,  map_size_0 : f32,  hardware_level_0 : f32) -> f32
+{
+    return max(hardware_level_0, log2(max(2.0f * sigma_mm_0 * map_size_0 / uv_scale_mm_0, 1.0f)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_blur_level(@builtin(global_invocation_id) thread_1 : vec3<u32>)
+{
+    var _S2 : u32 = thread_1.x;
+    var start_1 : u32 = _S2 * u32(4);
+    outputs_0[_S2] = skin_blur_level_0(inputs_0[start_1], inputs_0[start_1 + u32(1)], inputs_0[start_1 + u32(2)], inputs_0[start_1 + u32(3)]);
+    return;
+}
+
+fn skin_weighted_sum_0( rows_0 : mat3x3<f32>,  weights_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(weights_0.x) * rows_0[i32(0)] + vec3<f32>(weights_0.y) * rows_0[i32(1)] + vec3<f32>(weights_0.z) * rows_0[i32(2)];
+}
+
+fn skin_blend_normals_0( fetched_0 : mat3x3<f32>,  blend_0 : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_weighted_sum_0(fetched_0, blend_0[i32(0)]), skin_weighted_sum_0(fetched_0, blend_0[i32(1)]), skin_weighted_sum_0(fetched_0, blend_0[i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_blend_normals(@builtin(global_invocation_id) thread_2 : vec3<u32>)
+{
+    var _S3 : u32 = thread_2.x;
+    var start_2 : u32 = _S3 * u32(18);
+    var result_0 : mat3x3<f32> = skin_blend_normals_0(mat3x3<f32>(inputs_0[start_2], inputs_0[start_2 + u32(1)], inputs_0[start_2 + u32(2)], inputs_0[start_2 + u32(3)], inputs_0[start_2 + u32(4)], inputs_0[start_2 + u32(5)], inputs_0[start_2 + u32(6)], inputs_0[start_2 + u32(7)], inputs_0[start_2 + u32(8)]), mat3x3<f32>(inputs_0[start_2 + u32(9)], inputs_0[start_2 + u32(10)], inputs_0[start_2 + u32(11)], inputs_0[start_2 + u32(12)], inputs_0[start_2 + u32(13)], inputs_0[start_2 + u32(14)], inputs_0[start_2 + u32(15)], inputs_0[start_2 + u32(16)], inputs_0[start_2 + u32(17)]));
+    var _S4 : u32 = _S3 * u32(9);
+    outputs_0[_S4] = result_0[i32(0)][i32(0)];
+    outputs_0[_S4 + u32(1)] = result_0[i32(0)][i32(1)];
+    outputs_0[_S4 + u32(2)] = result_0[i32(0)][i32(2)];
+    outputs_0[_S4 + u32(3)] = result_0[i32(1)][i32(0)];
+    outputs_0[_S4 + u32(4)] = result_0[i32(1)][i32(1)];
+    outputs_0[_S4 + u32(5)] = result_0[i32(1)][i32(2)];
+    outputs_0[_S4 + u32(6)] = result_0[i32(2)][i32(0)];
+    outputs_0[_S4 + u32(7)] = result_0[i32(2)][i32(1)];
+    outputs_0[_S4 + u32(8)] = result_0[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_safe_length_0( v_0 : vec3<f32>) -> f32
+{
+    return sqrt(max(dot(v_0, v_0), 1.00000004581370497e-18f));
+}
+
+fn skin_with_mesh_diffusion_0( from_texture_0 : vec3<f32>,  from_mesh_0 : vec3<f32>,  mesh_normal_0 : vec3<f32>) -> vec3<f32>
+{
+    return from_texture_0 + vec3<f32>(skin_safe_length_0(from_texture_0)) * (from_mesh_0 - mesh_normal_0);
+}
+
+fn skin_add_mesh_diffusion_0( from_texture_1 : mat3x3<f32>,  from_mesh_1 : mat3x3<f32>,  mesh_normal_1 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_with_mesh_diffusion_0(from_texture_1[i32(0)], from_mesh_1[i32(0)], mesh_normal_1), skin_with_mesh_diffusion_0(from_texture_1[i32(1)], from_mesh_1[i32(1)], mesh_normal_1), skin_with_mesh_diffusion_0(from_texture_1[i32(2)], from_mesh_1[i32(2)], mesh_normal_1));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_add_mesh_diffusion(@builtin(global_invocation_id) thread_3 : vec3<u32>)
+{
+    var _S5 : u32 = thread_3.x;
+    var start_3 : u32 = _S5 * u32(21);
+    var result_1 : mat3x3<f32> = skin_add_mesh_diffusion_0(mat3x3<f32>(inputs_0[start_3], inputs_0[start_3 + u32(1)], inputs_0[start_3 + u32(2)], inputs_0[start_3 + u32(3)], inputs_0[start_3 + u32(4)], inputs_0[start_3 + u32(5)], inputs_0[start_3 + u32(6)], inputs_0[start_3 + u32(7)], inputs_0[start_3 + u32(8)]), mat3x3<f32>(inputs_0[start_3 + u32(9)], inputs_0[start_3 + u32(10)], inputs_0[start_3 + u32(11)], inputs_0[start_3 + u32(12)], inputs_0[start_3 + u32(13)], inputs_0[start_3 + u32(14)], inputs_0[start_3 + u32(15)], inputs_0[start_3 + u32(16)], inputs_0[start_3 + u32(17)]), vec3<f32>(inputs_0[start_3 + u32(18)], inputs_0[start_3 + u32(19)], inputs_0[start_3 + u32(20)]));
+    var _S6 : u32 = _S5 * u32(9);
+    outputs_0[_S6] = result_1[i32(0)][i32(0)];
+    outputs_0[_S6 + u32(1)] = result_1[i32(0)][i32(1)];
+    outputs_0[_S6 + u32(2)] = result_1[i32(0)][i32(2)];
+    outputs_0[_S6 + u32(3)] = result_1[i32(1)][i32(0)];
+    outputs_0[_S6 + u32(4)] = result_1[i32(1)][i32(1)];
+    outputs_0[_S6 + u32(5)] = result_1[i32(1)][i32(2)];
+    outputs_0[_S6 + u32(6)] = result_1[i32(2)][i32(0)];
+    outputs_0[_S6 + u32(7)] = result_1[i32(2)][i32(1)];
+    outputs_0[_S6 + u32(8)] = result_1[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_relief_bump_0( m_0 : f32,  s_0 : f32) -> f32
+{
+    var _S7 : f32 = max(s_0, 9.99999971718068537e-10f);
+    var _S8 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S7), 0.0f);
+    var t2_0 : f32 = _S8 * _S8;
+    return _S7 * t2_0 * t2_0 * (0.16452799737453461f + _S8 * (-1.55506408214569092f + _S8 * (7.10253477096557617f + _S8 * (-16.75164794921875f + _S8 * (22.75126266479492188f + _S8 * (-15.08054447174072266f + _S8 * 3.76787090301513672f))))));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_relief_bump(@builtin(global_invocation_id) thread_4 : vec3<u32>)
+{
+    var _S9 : u32 = thread_4.x;
+    var start_4 : u32 = _S9 * u32(2);
+    outputs_0[_S9] = skin_relief_bump_0(inputs_0[start_4], inputs_0[start_4 + u32(1)]);
+    return;
+}
+
+fn skin_lengths_0( normals_0 : mat3x3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(skin_safe_length_0(normals_0[i32(0)]), skin_safe_length_0(normals_0[i32(1)]), skin_safe_length_0(normals_0[i32(2)]));
+}
+
+fn skin_cosines_0( normals_1 : mat3x3<f32>,  light_0 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
+{
+    return clamp(vec3<f32>(dot(normals_1[i32(0)], light_0), dot(normals_1[i32(1)], light_0), dot(normals_1[i32(2)], light_0)) / lengths_0, vec3<f32>(-1.0f), vec3<f32>(1.0f));
+}
+
+fn skin_curvature_table_0( lut_1 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_0 : f32) -> vec3<f32>
+{
+    var row_0 : f32 = sqrt(max(curvature_per_mm_0, 0.0f));
+    var _S10 : vec2<f32> = lut_axes_0.xz;
+    var _S11 : vec2<f32> = lut_axes_0.yw;
+    return vec3<f32>((textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S10) * _S11)), (0.0f))).xyz.x, (textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S10) * _S11)), (0.0f))).xyz.y, (textureSampleLevel((lut_1), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S10) * _S11)), (0.0f))).xyz.z);
+}
+
+fn skin_relief_light_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
+{
+    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths_1, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))) * (vec3<f32>(1.0f) - cos_theta_1 * cos_theta_1), vec3<f32>(0.0f)));
+    return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_0.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_0.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_0.z));
+}
+
+fn skin_direct_scalar_0( lut_2 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  normals_2 : mat3x3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_1 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_2 : vec3<f32> = skin_lengths_0(normals_2);
+    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_2, light_1, lengths_2);
+    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_2, lut_sampler_2, lut_axes_1, cos_theta_2, abs(curvature_per_mm_1)) + skin_relief_light_0(lengths_2, cos_theta_2));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_scalar(@builtin(global_invocation_id) thread_5 : vec3<u32>)
+{
+    var _S12 : u32 = thread_5.x;
+    var start_5 : u32 = _S12 * u32(20);
+    var result_2 : vec3<f32> = skin_direct_scalar_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_5], inputs_0[start_5 + u32(1)], inputs_0[start_5 + u32(2)], inputs_0[start_5 + u32(3)]), mat3x3<f32>(inputs_0[start_5 + u32(4)], inputs_0[start_5 + u32(5)], inputs_0[start_5 + u32(6)], inputs_0[start_5 + u32(7)], inputs_0[start_5 + u32(8)], inputs_0[start_5 + u32(9)], inputs_0[start_5 + u32(10)], inputs_0[start_5 + u32(11)], inputs_0[start_5 + u32(12)]), vec3<f32>(inputs_0[start_5 + u32(13)], inputs_0[start_5 + u32(14)], inputs_0[start_5 + u32(15)]), inputs_0[start_5 + u32(16)], vec3<f32>(inputs_0[start_5 + u32(17)], inputs_0[start_5 + u32(18)], inputs_0[start_5 + u32(19)]));
+    var _S13 : u32 = _S12 * u32(3);
+    outputs_0[_S13] = result_2[i32(0)];
+    outputs_0[_S13 + u32(1)] = result_2[i32(1)];
+    outputs_0[_S13 + u32(2)] = result_2[i32(2)];
+    return;
+}
+
+fn skin_transfer_0( transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_0 : vec4<f32>,  k_per_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((transfer_1), (transfer_sampler_1), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_0.xz) * transfer_axes_0.yw)), (0.0f))).xyz;
+}
+
+fn skin_direct_tensor_0( lut_3 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_1 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_2 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_3 : vec3<f32> = skin_lengths_0(normals_3);
+    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_3, light_2, lengths_3);
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_3, lut_sampler_3, lut_axes_2, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_1, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_relief_light_0(lengths_3, cos_theta_3));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_tensor(@builtin(global_invocation_id) thread_6 : vec3<u32>)
+{
+    var _S14 : u32 = thread_6.x;
+    var start_6 : u32 = _S14 * u32(25);
+    var result_3 : vec3<f32> = skin_direct_tensor_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_6], inputs_0[start_6 + u32(1)], inputs_0[start_6 + u32(2)], inputs_0[start_6 + u32(3)]), transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[start_6 + u32(4)], inputs_0[start_6 + u32(5)], inputs_0[start_6 + u32(6)], inputs_0[start_6 + u32(7)]), mat3x3<f32>(inputs_0[start_6 + u32(8)], inputs_0[start_6 + u32(9)], inputs_0[start_6 + u32(10)], inputs_0[start_6 + u32(11)], inputs_0[start_6 + u32(12)], inputs_0[start_6 + u32(13)], inputs_0[start_6 + u32(14)], inputs_0[start_6 + u32(15)], inputs_0[start_6 + u32(16)]), vec3<f32>(inputs_0[start_6 + u32(17)], inputs_0[start_6 + u32(18)], inputs_0[start_6 + u32(19)]), inputs_0[start_6 + u32(20)], inputs_0[start_6 + u32(21)], vec3<f32>(inputs_0[start_6 + u32(22)], inputs_0[start_6 + u32(23)], inputs_0[start_6 + u32(24)]));
+    var _S15 : u32 = _S14 * u32(3);
+    outputs_0[_S15] = result_3[i32(0)];
+    outputs_0[_S15 + u32(1)] = result_3[i32(1)];
+    outputs_0[_S15 + u32(2)] = result_3[i32(2)];
+    return;
+}
+
+fn skin_direct_diffused_normals_0( lut_4 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  transfer_3 : texture_2d<f32>,  transfer_sampler_3 : sampler,  transfer_axes_2 : vec4<f32>,  normals_4 : mat3x3<f32>,  relief_length_0 : vec3<f32>,  light_3 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
+{
+    var lengths_4 : vec3<f32> = skin_lengths_0(normals_4);
+    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_4, light_3, lengths_4);
+    return gain_2 * (skin_curvature_table_0(lut_4, lut_sampler_4, lut_axes_3, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_3, transfer_sampler_3, transfer_axes_2, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_relief_light_0(relief_length_0, cos_theta_4));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_diffused_normals(@builtin(global_invocation_id) thread_7 : vec3<u32>)
+{
+    var _S16 : u32 = thread_7.x;
+    var start_7 : u32 = _S16 * u32(27);
+    var result_4 : vec3<f32> = skin_direct_diffused_normals_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_7], inputs_0[start_7 + u32(1)], inputs_0[start_7 + u32(2)], inputs_0[start_7 + u32(3)]), transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[start_7 + u32(4)], inputs_0[start_7 + u32(5)], inputs_0[start_7 + u32(6)], inputs_0[start_7 + u32(7)]), mat3x3<f32>(inputs_0[start_7 + u32(8)], inputs_0[start_7 + u32(9)], inputs_0[start_7 + u32(10)], inputs_0[start_7 + u32(11)], inputs_0[start_7 + u32(12)], inputs_0[start_7 + u32(13)], inputs_0[start_7 + u32(14)], inputs_0[start_7 + u32(15)], inputs_0[start_7 + u32(16)]), vec3<f32>(inputs_0[start_7 + u32(17)], inputs_0[start_7 + u32(18)], inputs_0[start_7 + u32(19)]), vec3<f32>(inputs_0[start_7 + u32(20)], inputs_0[start_7 + u32(21)], inputs_0[start_7 + u32(22)]), inputs_0[start_7 + u32(23)], vec3<f32>(inputs_0[start_7 + u32(24)], inputs_0[start_7 + u32(25)], inputs_0[start_7 + u32(26)]));
+    var _S17 : u32 = _S16 * u32(3);
+    outputs_0[_S17] = result_4[i32(0)];
+    outputs_0[_S17 + u32(1)] = result_4[i32(1)];
+    outputs_0[_S17 + u32(2)] = result_4[i32(2)];
+    return;
+}
+
+fn skin_relief_length_0( transfer_4 : texture_2d<f32>,  transfer_sampler_4 : sampler,  transfer_axes_3 : vec4<f32>,  from_texture_2 : mat3x3<f32>,  from_mesh_2 : mat3x3<f32>,  total_per_mm_1 : f32) -> vec3<f32>
+{
+    return skin_lengths_0(from_texture_2) * min(skin_lengths_0(from_mesh_2) / max(vec3<f32>(0.97500002384185791f) * skin_transfer_0(transfer_4, transfer_sampler_4, transfer_axes_3, total_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_relief_length(@builtin(global_invocation_id) thread_8 : vec3<u32>)
+{
+    var _S18 : u32 = thread_8.x;
+    var start_8 : u32 = _S18 * u32(23);
+    var result_5 : vec3<f32> = skin_relief_length_0(transfer_0, transfer_sampler_0, vec4<f32>(inputs_0[start_8], inputs_0[start_8 + u32(1)], inputs_0[start_8 + u32(2)], inputs_0[start_8 + u32(3)]), mat3x3<f32>(inputs_0[start_8 + u32(4)], inputs_0[start_8 + u32(5)], inputs_0[start_8 + u32(6)], inputs_0[start_8 + u32(7)], inputs_0[start_8 + u32(8)], inputs_0[start_8 + u32(9)], inputs_0[start_8 + u32(10)], inputs_0[start_8 + u32(11)], inputs_0[start_8 + u32(12)]), mat3x3<f32>(inputs_0[start_8 + u32(13)], inputs_0[start_8 + u32(14)], inputs_0[start_8 + u32(15)], inputs_0[start_8 + u32(16)], inputs_0[start_8 + u32(17)], inputs_0[start_8 + u32(18)], inputs_0[start_8 + u32(19)], inputs_0[start_8 + u32(20)], inputs_0[start_8 + u32(21)]), inputs_0[start_8 + u32(22)]);
+    var _S19 : u32 = _S18 * u32(3);
+    outputs_0[_S19] = result_5[i32(0)];
+    outputs_0[_S19 + u32(1)] = result_5[i32(1)];
+    outputs_0[_S19 + u32(2)] = result_5[i32(2)];
+    return;
+}
+
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_0 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+{
+    var tangential_0 : vec3<f32> = light_4 - normal_0 * vec3<f32>(dot(light_4, normal_0));
+    var change_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
+    var total_0 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
+    return vec2<f32>(min(sqrt(dot(change_0, change_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_directional_curvature(@builtin(global_invocation_id) thread_9 : vec3<u32>)
+{
+    var _S20 : u32 = thread_9.x;
+    var start_9 : u32 = _S20 * u32(15);
+    var result_6 : vec2<f32> = skin_directional_curvature_0(mat3x3<f32>(inputs_0[start_9], inputs_0[start_9 + u32(1)], inputs_0[start_9 + u32(2)], inputs_0[start_9 + u32(3)], inputs_0[start_9 + u32(4)], inputs_0[start_9 + u32(5)], inputs_0[start_9 + u32(6)], inputs_0[start_9 + u32(7)], inputs_0[start_9 + u32(8)]), vec3<f32>(inputs_0[start_9 + u32(9)], inputs_0[start_9 + u32(10)], inputs_0[start_9 + u32(11)]), vec3<f32>(inputs_0[start_9 + u32(12)], inputs_0[start_9 + u32(13)], inputs_0[start_9 + u32(14)]));
+    var _S21 : u32 = _S20 * u32(2);
+    outputs_0[_S21] = result_6[i32(0)];
+    outputs_0[_S21 + u32(1)] = result_6[i32(1)];
+    return;
+}
+
+fn skin_energy_gain_0( albedo_0 : vec3<f32>,  rms_radius_mm_0 : vec3<f32>,  curvature_per_mm_2 : vec3<f32>) -> vec3<f32>
+{
+    var scaled_curvature_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * rms_radius_mm_0 * max(curvature_per_mm_2, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = albedo_0 * scaled_curvature_0;
+    var _S22 : vec3<f32> = vec3<f32>(1.0f);
+    return _S22 + (_S22 - albedo_0) * scaled_curvature_0 / sqrt(_S22 + bound_0 * bound_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_energy_gain(@builtin(global_invocation_id) thread_10 : vec3<u32>)
+{
+    var _S23 : u32 = thread_10.x;
+    var start_10 : u32 = _S23 * u32(9);
+    var result_7 : vec3<f32> = skin_energy_gain_0(vec3<f32>(inputs_0[start_10], inputs_0[start_10 + u32(1)], inputs_0[start_10 + u32(2)]), vec3<f32>(inputs_0[start_10 + u32(3)], inputs_0[start_10 + u32(4)], inputs_0[start_10 + u32(5)]), vec3<f32>(inputs_0[start_10 + u32(6)], inputs_0[start_10 + u32(7)], inputs_0[start_10 + u32(8)]));
+    var _S24 : u32 = _S23 * u32(3);
+    outputs_0[_S24] = result_7[i32(0)];
+    outputs_0[_S24 + u32(1)] = result_7[i32(1)];
+    outputs_0[_S24 + u32(2)] = result_7[i32(2)];
+    return;
+}
+
+fn skin_smoothstep_0( p_0 : f32) -> f32
+{
+    var q_0 : f32 = saturate(p_0);
+    return q_0 * q_0 * (3.0f - 2.0f * q_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_smoothstep(@builtin(global_invocation_id) thread_11 : vec3<u32>)
+{
+    var _S25 : u32 = thread_11.x;
+    outputs_0[_S25] = skin_smoothstep_0(inputs_0[_S25]);
+    return;
+}
+
+fn skin_light_coordinates_0( position_mm_0 : vec3<f32>,  view_0 : mat4x4<f32>,  projection_0 : mat4x4<f32>) -> vec4<f32>
+{
+    var p_1 : vec4<f32> = vec4<f32>(position_mm_0, 1.0f);
+    var _S26 : f32 = dot(view_0[i32(2)], p_1);
+    var in_view_0 : vec4<f32> = vec4<f32>(dot(view_0[i32(0)], p_1), dot(view_0[i32(1)], p_1), _S26, 1.0f);
+    var w_0 : f32 = dot(projection_0[i32(3)], in_view_0);
+    var w_1 : f32;
+    if((abs(w_0)) < 9.99999971718068537e-10f)
+    {
+        w_1 = 9.99999971718068537e-10f;
+    }
+    else
+    {
+        w_1 = w_0;
+    }
+    return vec4<f32>(0.5f + 0.5f * (dot(projection_0[i32(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection_0[i32(1)], in_view_0) / w_1), abs(_S26), w_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_light_coordinates(@builtin(global_invocation_id) thread_12 : vec3<u32>)
+{
+    var _S27 : u32 = thread_12.x;
+    var start_11 : u32 = _S27 * u32(35);
+    var result_8 : vec4<f32> = skin_light_coordinates_0(vec3<f32>(inputs_0[start_11], inputs_0[start_11 + u32(1)], inputs_0[start_11 + u32(2)]), mat4x4<f32>(inputs_0[start_11 + u32(3)], inputs_0[start_11 + u32(4)], inputs_0[start_11 + u32(5)], inputs_0[start_11 + u32(6)], inputs_0[start_11 + u32(7)], inputs_0[start_11 + u32(8)], inputs_0[start_11 + u32(9)], inputs_0[start_11 + u32(10)], inputs_0[start_11 + u32(11)], inputs_0[start_11 + u32(12)], inputs_0[start_11 + u32(13)], inputs_0[start_11 + u32(14)], inputs_0[start_11 + u32(15)], inputs_0[start_11 + u32(16)], inputs_0[start_11 + u32(17)], inputs_0[start_11 + u32(18)]), mat4x4<f32>(inputs_0[start_11 + u32(19)], inputs_0[start_11 + u32(20)], inputs_0[start_11 + u32(21)], inputs_0[start_11 + u32(22)], inputs_0[start_11 + u32(23)], inputs_0[start_11 + u32(24)], inputs_0[start_11 + u32(25)], inputs_0[start_11 + u32(26)], inputs_0[start_11 + u32(27)], inputs_0[start_11 + u32(28)], inputs_0[start_11 + u32(29)], inputs_0[start_11 + u32(30)], inputs_0[start_11 + u32(31)], inputs_0[start_11 + u32(32)], inputs_0[start_11 + u32(33)], inputs_0[start_11 + u32(34)]));
+    var _S28 : u32 = _S27 * u32(4);
+    outputs_0[_S28] = result_8[i32(0)];
+    outputs_0[_S28 + u32(1)] = result_8[i32(1)];
+    outputs_0[_S28 + u32(2)] = result_8[i32(2)];
+    outputs_0[_S28 + u32(3)] = result_8[i32(3)];
+    return;
+}
+
+fn skin_unit_vectors_0( v_1 : vec3<f32>) -> vec3<f32>
+{
+    return v_1 / vec3<f32>(skin_safe_length_0(v_1));
+}
+
+fn skin_shadow_receiver_0( position_mm_1 : vec3<f32>,  normal_1 : vec3<f32>,  to_light_0 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
+{
+    var cosine_0 : f32 = dot(normal_1, to_light_0);
+    return position_mm_1 + skin_unit_vectors_0(to_light_0 - normal_1 * vec3<f32>(cosine_0)) * vec3<f32>(min(max(- cosine_0, 0.0f) / max(curvature_per_mm_3, 0.00100000004749745f), 8.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_shadow_receiver(@builtin(global_invocation_id) thread_13 : vec3<u32>)
+{
+    var _S29 : u32 = thread_13.x;
+    var start_12 : u32 = _S29 * u32(10);
+    var result_9 : vec3<f32> = skin_shadow_receiver_0(vec3<f32>(inputs_0[start_12], inputs_0[start_12 + u32(1)], inputs_0[start_12 + u32(2)]), vec3<f32>(inputs_0[start_12 + u32(3)], inputs_0[start_12 + u32(4)], inputs_0[start_12 + u32(5)]), vec3<f32>(inputs_0[start_12 + u32(6)], inputs_0[start_12 + u32(7)], inputs_0[start_12 + u32(8)]), inputs_0[start_12 + u32(9)]);
+    var _S30 : u32 = _S29 * u32(3);
+    outputs_0[_S30] = result_9[i32(0)];
+    outputs_0[_S30 + u32(1)] = result_9[i32(1)];
+    outputs_0[_S30 + u32(2)] = result_9[i32(2)];
+    return;
+}
+
+fn skin_shadow_slope_0( normal_2 : vec3<f32>,  to_light_1 : vec3<f32>,  curvature_per_mm_4 : f32,  light_right_0 : vec3<f32>,  light_up_0 : vec3<f32>) -> vec2<f32>
+{
+    var plane_normal_0 : vec3<f32> = skin_unit_vectors_0(normal_2 + to_light_1 * vec3<f32>(max(- dot(normal_2, to_light_1), 0.0f)));
+    var axis_0 : vec3<f32> = cross(light_right_0, light_up_0);
+    var handedness_0 : f32;
+    if((dot(to_light_1, axis_0)) < 0.0f)
+    {
+        handedness_0 = -1.0f;
+    }
+    else
+    {
+        handedness_0 = 1.0f;
+    }
+    var slope_1 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right_0), - dot(plane_normal_0, light_up_0)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return slope_1 / vec2<f32>(max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm_4 / 0.03999999910593033f)), 1.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_shadow_slope(@builtin(global_invocation_id) thread_14 : vec3<u32>)
+{
+    var _S31 : u32 = thread_14.x;
+    var start_13 : u32 = _S31 * u32(13);
+    var result_10 : vec2<f32> = skin_shadow_slope_0(vec3<f32>(inputs_0[start_13], inputs_0[start_13 + u32(1)], inputs_0[start_13 + u32(2)]), vec3<f32>(inputs_0[start_13 + u32(3)], inputs_0[start_13 + u32(4)], inputs_0[start_13 + u32(5)]), inputs_0[start_13 + u32(6)], vec3<f32>(inputs_0[start_13 + u32(7)], inputs_0[start_13 + u32(8)], inputs_0[start_13 + u32(9)]), vec3<f32>(inputs_0[start_13 + u32(10)], inputs_0[start_13 + u32(11)], inputs_0[start_13 + u32(12)]));
+    var _S32 : u32 = _S31 * u32(2);
+    outputs_0[_S32] = result_10[i32(0)];
+    outputs_0[_S32 + u32(1)] = result_10[i32(1)];
+    return;
+}
+
+fn skin_shadow_occluder_depth_0( depth_mm_0 : f32,  faces_light_0 : f32) -> f32
+{
+    return depth_mm_0 + 4.0f * faces_light_0;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_shadow_occluder_depth(@builtin(global_invocation_id) thread_15 : vec3<u32>)
+{
+    var _S33 : u32 = thread_15.x;
+    var start_14 : u32 = _S33 * u32(2);
+    outputs_0[_S33] = skin_shadow_occluder_depth_0(inputs_0[start_14], inputs_0[start_14 + u32(1)]);
+    return;
+}
+
+fn skin_linear_depth_0( depth_0 : f32,  projection_1 : mat4x4<f32>) -> f32
+{
+    return abs((depth_0 * projection_1[i32(3)][i32(3)] - projection_1[i32(2)][i32(3)]) / (projection_1[i32(2)][i32(2)] - depth_0 * projection_1[i32(3)][i32(2)]));
+}
+
+fn skin_shadow_compare_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : sampler,  map_extent_1 : vec2<f32>,  projection_2 : mat4x4<f32>,  uv_0 : vec2<f32>,  receiver_mm_0 : f32) -> f32
+{
+    var _S34 : vec2<f32> = vec2<f32>(0.5f);
+    var position_0 : vec2<f32> = uv_0 * map_extent_1 - _S34;
+    var corner_0 : vec2<f32> = floor(position_0);
+    var weights_1 : vec2<f32> = position_0 - corner_0;
+    var _S35 : vec2<f32> = vec2<f32>(0.0f);
+    var _S36 : vec2<f32> = vec2<f32>(1.0f);
+    var _S37 : vec2<f32> = map_extent_1 - _S36;
+    var low_0 : vec2<f32> = (clamp(corner_0, _S35, _S37) + _S34) / map_extent_1;
+    var high_0 : vec2<f32> = (clamp(corner_0 + _S36, _S35, _S37) + _S34) / map_extent_1;
+    var lit_0 : vec4<f32> = step(vec4<f32>(receiver_mm_0, receiver_mm_0, receiver_mm_0, receiver_mm_0), vec4<f32>(skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (low_0), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (vec2<f32>(high_0.x, low_0.y)), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (vec2<f32>(low_0.x, high_0.y)), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (high_0), (0.0f))).x, projection_2)));
+    var rows_1 : vec2<f32> = mix(lit_0.xz, lit_0.yw, vec2<f32>(weights_1.x));
+    return mix(rows_1.x, rows_1.y, weights_1.y);
+}
+
+fn skin_shadow_filter_0( depth_map_2 : texture_2d<f32>,  depth_map_sampler_2 : sampler,  map_extent_2 : vec2<f32>,  view_1 : mat4x4<f32>,  projection_3 : mat4x4<f32>,  position_mm_2 : vec3<f32>,  normal_3 : vec3<f32>,  to_light_2 : vec3<f32>,  curvature_per_mm_5 : f32,  filter_width_mm_0 : f32,  bias_mm_0 : f32,  taps_0 : i32) -> f32
+{
+    var coordinates_0 : vec4<f32> = skin_light_coordinates_0(skin_shadow_receiver_0(position_mm_2, normal_3, to_light_2, curvature_per_mm_5), view_1, projection_3);
+    var _S38 : vec2<f32> = skin_shadow_slope_0(normal_3, to_light_2, curvature_per_mm_5, view_1[i32(0)].xyz, view_1[i32(1)].xyz);
+    var _S39 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection_3[i32(0)].x), abs(projection_3[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
+    var tap_0 : i32 = i32(0);
+    var total_1 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_0 < taps_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var disk_0 : vec2<f32>;
+        if(taps_0 == i32(16))
+        {
+            disk_0 = SKIN_SHADOW_DISK_16_0[min(tap_0, i32(15))];
+        }
+        else
+        {
+            disk_0 = SKIN_SHADOW_DISK_48_0[min(tap_0, i32(47))];
+        }
+        var across_mm_0 : vec2<f32> = vec2<f32>((0.5f * filter_width_mm_0)) * disk_0;
+        var total_2 : f32 = total_1 + skin_shadow_compare_0(depth_map_2, depth_map_sampler_2, map_extent_2, projection_3, coordinates_0.xy + across_mm_0 * _S39, coordinates_0.z - bias_mm_0 + dot(_S38, across_mm_0));
+        tap_0 = tap_0 + i32(1);
+        total_1 = total_2;
+    }
+    return total_1 / f32(max(taps_0, i32(1)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_shadow_filter(@builtin(global_invocation_id) thread_16 : vec3<u32>)
+{
+    var _S40 : u32 = thread_16.x;
+    var start_15 : u32 = _S40 * u32(47);
+    outputs_0[_S40] = skin_shadow_filter_0(depth_map_0, depth_map_sampler_0, vec2<f32>(inputs_0[start_15], inputs_0[start_15 + u32(1)]), mat4x4<f32>(inputs_0[start_15 + u32(2)], inputs_0[start_15 + u32(3)], inputs_0[start_15 + u32(4)], inputs_0[start_15 + u32(5)], inputs_0[start_15 + u32(6)], inputs_0[start_15 + u32(7)], inputs_0[start_15 + u32(8)], inputs_0[start_15 + u32(9)], inputs_0[start_15 + u32(10)], inputs_0[start_15 + u32(11)], inputs_0[start_15 + u32(12)], inputs_0[start_15 + u32(13)], inputs_0[start_15 + u32(14)], inputs_0[start_15 + u32(15)], inputs_0[start_15 + u32(16)], inputs_0[start_15 + u32(17)]), mat4x4<f32>(inputs_0[start_15 + u32(18)], inputs_0[start_15 + u32(19)], inputs_0[start_15 + u32(20)], inputs_0[start_15 + u32(21)], inputs_0[start_15 + u32(22)], inputs_0[start_15 + u32(23)], inputs_0[start_15 + u32(24)], inputs_0[start_15 + u32(25)], inputs_0[start_15 + u32(26)], inputs_0[start_15 + u32(27)], inputs_0[start_15 + u32(28)], inputs_0[start_15 + u32(29)], inputs_0[start_15 + u32(30)], inputs_0[start_15 + u32(31)], inputs_0[start_15 + u32(32)], inputs_0[start_15 + u32(33)]), vec3<f32>(inputs_0[start_15 + u32(34)], inputs_0[start_15 + u32(35)], inputs_0[start_15 + u32(36)]), vec3<f32>(inputs_0[start_15 + u32(37)], inputs_0[start_15 + u32(38)], inputs_0[start_15 + u32(39)]), vec3<f32>(inputs_0[start_15 + u32(40)], inputs_0[start_15 + u32(41)], inputs_0[start_15 + u32(42)]), inputs_0[start_15 + u32(43)], inputs_0[start_15 + u32(44)], inputs_0[start_15 + u32(45)], i32(inputs_0[start_15 + u32(46)]));
+    return;
+}
+
+fn skin_diffused_shadow_0( lut_5 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  shadow_filter_0 : f32,  n_dot_l_0 : f32,  filter_width_mm_1 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((lut_5), (lut_sampler_5), (saturate((vec2<f32>(shadow_filter_0, max(n_dot_l_0, 0.05000000074505806f) / filter_width_mm_1) - lut_axes_4.xz) * lut_axes_4.yw)), (0.0f))).xyz;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_diffused_shadow(@builtin(global_invocation_id) thread_17 : vec3<u32>)
+{
+    var _S41 : u32 = thread_17.x;
+    var start_16 : u32 = _S41 * u32(7);
+    var result_11 : vec3<f32> = skin_diffused_shadow_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_16], inputs_0[start_16 + u32(1)], inputs_0[start_16 + u32(2)], inputs_0[start_16 + u32(3)]), inputs_0[start_16 + u32(4)], inputs_0[start_16 + u32(5)], inputs_0[start_16 + u32(6)]);
+    var _S42 : u32 = _S41 * u32(3);
+    outputs_0[_S42] = result_11[i32(0)];
+    outputs_0[_S42 + u32(1)] = result_11[i32(1)];
+    outputs_0[_S42 + u32(2)] = result_11[i32(2)];
+    return;
+}
+
+fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
+{
+    return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_sharpened_shadow(@builtin(global_invocation_id) thread_18 : vec3<u32>)
+{
+    var _S43 : u32 = thread_18.x;
+    var start_17 : u32 = _S43 * u32(2);
+    outputs_0[_S43] = skin_sharpened_shadow_0(inputs_0[start_17], inputs_0[start_17 + u32(1)]);
+    return;
+}
+
+fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_1 : f32) -> f32
+{
+    var _S44 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S45 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
+    return _S44 / (_S44 + _S45 * _S45);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_variance_shadow(@builtin(global_invocation_id) thread_19 : vec3<u32>)
+{
+    var _S46 : u32 = thread_19.x;
+    var start_18 : u32 = _S46 * u32(3);
+    outputs_0[_S46] = skin_variance_shadow_0(inputs_0[start_18], inputs_0[start_18 + u32(1)], inputs_0[start_18 + u32(2)]);
+    return;
+}
+
+fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
+{
+    var _S47 : f32 = d_0.y;
+    var _S48 : f32 = d_0.z;
+    var _S49 : f32 = d_0.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S47 + sh_0[i32(0)].z * _S48 + sh_0[i32(1)].x * _S49), 1.09254848957061768f * (sh_0[i32(1)].y * _S49 * _S47 + sh_0[i32(1)].z * _S47 * _S48 + sh_0[i32(2)].y * _S49 * _S48) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S48 * _S48 - dot(d_0, d_0)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S49 * _S49 - _S47 * _S47));
+}
+
+fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+{
+    return max(dot(skin_sh_bands_0(sh_1, normal_4), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_4)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+}
+
+fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_5 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
+{
+    var t_0 : mat3x3<f32> = transpose(band_transfer_1);
+    return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_5[i32(0)], t_0[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_5[i32(1)], t_0[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_5[i32(2)], t_0[i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_irradiance(@builtin(global_invocation_id) thread_20 : vec3<u32>)
+{
+    var _S50 : u32 = thread_20.x;
+    var start_19 : u32 = _S50 * u32(45);
+    var result_12 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[start_19], inputs_0[start_19 + u32(1)], inputs_0[start_19 + u32(2)], inputs_0[start_19 + u32(3)], inputs_0[start_19 + u32(4)], inputs_0[start_19 + u32(5)], inputs_0[start_19 + u32(6)], inputs_0[start_19 + u32(7)], inputs_0[start_19 + u32(8)]), mat3x3<f32>(inputs_0[start_19 + u32(9)], inputs_0[start_19 + u32(10)], inputs_0[start_19 + u32(11)], inputs_0[start_19 + u32(12)], inputs_0[start_19 + u32(13)], inputs_0[start_19 + u32(14)], inputs_0[start_19 + u32(15)], inputs_0[start_19 + u32(16)], inputs_0[start_19 + u32(17)]), mat3x3<f32>(inputs_0[start_19 + u32(18)], inputs_0[start_19 + u32(19)], inputs_0[start_19 + u32(20)], inputs_0[start_19 + u32(21)], inputs_0[start_19 + u32(22)], inputs_0[start_19 + u32(23)], inputs_0[start_19 + u32(24)], inputs_0[start_19 + u32(25)], inputs_0[start_19 + u32(26)]), mat3x3<f32>(inputs_0[start_19 + u32(27)], inputs_0[start_19 + u32(28)], inputs_0[start_19 + u32(29)], inputs_0[start_19 + u32(30)], inputs_0[start_19 + u32(31)], inputs_0[start_19 + u32(32)], inputs_0[start_19 + u32(33)], inputs_0[start_19 + u32(34)], inputs_0[start_19 + u32(35)]), mat3x3<f32>(inputs_0[start_19 + u32(36)], inputs_0[start_19 + u32(37)], inputs_0[start_19 + u32(38)], inputs_0[start_19 + u32(39)], inputs_0[start_19 + u32(40)], inputs_0[start_19 + u32(41)], inputs_0[start_19 + u32(42)], inputs_0[start_19 + u32(43)], inputs_0[start_19 + u32(44)]));
+    var _S51 : u32 = _S50 * u32(3);
+    outputs_0[_S51] = result_12[i32(0)];
+    outputs_0[_S51 + u32(1)] = result_12[i32(1)];
+    outputs_0[_S51 + u32(2)] = result_12[i32(2)];
+    return;
+}
+
+fn skin_ambient_normals_0( normals_6 : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_unit_vectors_0(normals_6[i32(0)]), skin_unit_vectors_0(normals_6[i32(1)]), skin_unit_vectors_0(normals_6[i32(2)]));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_normals(@builtin(global_invocation_id) thread_21 : vec3<u32>)
+{
+    var start_20 : u32 = thread_21.x * u32(9);
+    var _S52 : u32 = start_20 + u32(1);
+    var _S53 : u32 = start_20 + u32(2);
+    var _S54 : u32 = start_20 + u32(3);
+    var _S55 : u32 = start_20 + u32(4);
+    var _S56 : u32 = start_20 + u32(5);
+    var _S57 : u32 = start_20 + u32(6);
+    var _S58 : u32 = start_20 + u32(7);
+    var _S59 : u32 = start_20 + u32(8);
+    var result_13 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[start_20], inputs_0[_S52], inputs_0[_S53], inputs_0[_S54], inputs_0[_S55], inputs_0[_S56], inputs_0[_S57], inputs_0[_S58], inputs_0[_S59]));
+    outputs_0[start_20] = result_13[i32(0)][i32(0)];
+    outputs_0[_S52] = result_13[i32(0)][i32(1)];
+    outputs_0[_S53] = result_13[i32(0)][i32(2)];
+    outputs_0[_S54] = result_13[i32(1)][i32(0)];
+    outputs_0[_S55] = result_13[i32(1)][i32(1)];
+    outputs_0[_S56] = result_13[i32(1)][i32(2)];
+    outputs_0[_S57] = result_13[i32(2)][i32(0)];
+    outputs_0[_S58] = result_13[i32(2)][i32(1)];
+    outputs_0[_S59] = result_13[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_ambient_of_three_0( red_0 : vec3<f32>,  green_0 : vec3<f32>,  blue_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(red_0.x, green_0.y, blue_0.z);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_of_three(@builtin(global_invocation_id) thread_22 : vec3<u32>)
+{
+    var _S60 : u32 = thread_22.x;
+    var start_21 : u32 = _S60 * u32(9);
+    var result_14 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[start_21], inputs_0[start_21 + u32(1)], inputs_0[start_21 + u32(2)]), vec3<f32>(inputs_0[start_21 + u32(3)], inputs_0[start_21 + u32(4)], inputs_0[start_21 + u32(5)]), vec3<f32>(inputs_0[start_21 + u32(6)], inputs_0[start_21 + u32(7)], inputs_0[start_21 + u32(8)]));
+    var _S61 : u32 = _S60 * u32(3);
+    outputs_0[_S61] = result_14[i32(0)];
+    outputs_0[_S61 + u32(1)] = result_14[i32(1)];
+    outputs_0[_S61 + u32(2)] = result_14[i32(2)];
+    return;
+}
+
+fn skin_bounced_visibility_0( visibility_0 : vec3<f32>,  albedo_1 : vec3<f32>) -> vec3<f32>
+{
+    return max(visibility_0, ((visibility_0 * (vec3<f32>(2.04040002822875977f) * albedo_1 - vec3<f32>(0.33239999413490295f)) + (vec3<f32>(-4.79510021209716797f) * albedo_1 + vec3<f32>(0.64170002937316895f))) * visibility_0 + (vec3<f32>(2.75519990921020508f) * albedo_1 + vec3<f32>(0.69029998779296875f))) * visibility_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_bounced_visibility(@builtin(global_invocation_id) thread_23 : vec3<u32>)
+{
+    var _S62 : u32 = thread_23.x;
+    var start_22 : u32 = _S62 * u32(6);
+    var result_15 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[start_22], inputs_0[start_22 + u32(1)], inputs_0[start_22 + u32(2)]), vec3<f32>(inputs_0[start_22 + u32(3)], inputs_0[start_22 + u32(4)], inputs_0[start_22 + u32(5)]));
+    var _S63 : u32 = _S62 * u32(3);
+    outputs_0[_S63] = result_15[i32(0)];
+    outputs_0[_S63 + u32(1)] = result_15[i32(1)];
+    outputs_0[_S63 + u32(2)] = result_15[i32(2)];
+    return;
+}
+
+fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
+{
+    var exponent_0 : f32 = exp2(-16.0f * roughness_0 - 1.0f);
+    var base_0 : f32 = n_dot_v_0 + visibility_1;
+    var power_0 : f32;
+    if(base_0 > 0.0f)
+    {
+        power_0 = pow(base_0, exponent_0);
+    }
+    else
+    {
+        power_0 = 0.0f;
+    }
+    return saturate(power_0 - 1.0f + visibility_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_specular_visibility(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+{
+    var _S64 : u32 = thread_24.x;
+    var start_23 : u32 = _S64 * u32(3);
+    outputs_0[_S64] = skin_specular_visibility_0(inputs_0[start_23], inputs_0[start_23 + u32(1)], inputs_0[start_23 + u32(2)]);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_linear_depth(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+{
+    var _S65 : u32 = thread_25.x;
+    var start_24 : u32 = _S65 * u32(17);
+    outputs_0[_S65] = skin_linear_depth_0(inputs_0[start_24], mat4x4<f32>(inputs_0[start_24 + u32(1)], inputs_0[start_24 + u32(2)], inputs_0[start_24 + u32(3)], inputs_0[start_24 + u32(4)], inputs_0[start_24 + u32(5)], inputs_0[start_24 + u32(6)], inputs_0[start_24 + u32(7)], inputs_0[start_24 + u32(8)], inputs_0[start_24 + u32(9)], inputs_0[start_24 + u32(10)], inputs_0[start_24 + u32(11)], inputs_0[start_24 + u32(12)], inputs_0[start_24 + u32(13)], inputs_0[start_24 + u32(14)], inputs_0[start_24 + u32(15)], inputs_0[start_24 + u32(16)]));
+    return;
+}
+
+fn skin_inward_offset_0( position_mm_3 : vec3<f32>,  normal_5 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+{
+    return position_mm_3 - normal_5 * vec3<f32>(offset_mm_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_inward_offset(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+{
+    var _S66 : u32 = thread_26.x;
+    var start_25 : u32 = _S66 * u32(7);
+    var result_16 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[start_25], inputs_0[start_25 + u32(1)], inputs_0[start_25 + u32(2)]), vec3<f32>(inputs_0[start_25 + u32(3)], inputs_0[start_25 + u32(4)], inputs_0[start_25 + u32(5)]), inputs_0[start_25 + u32(6)]);
+    var _S67 : u32 = _S66 * u32(3);
+    outputs_0[_S67] = result_16[i32(0)];
+    outputs_0[_S67 + u32(1)] = result_16[i32(1)];
+    outputs_0[_S67 + u32(2)] = result_16[i32(2)];
+    return;
+}
+
+fn skin_thickness_0( depth_map_3 : texture_2d<f32>,  depth_map_sampler_3 : sampler,  projection_4 : mat4x4<f32>,  uv_1 : vec2<f32>,  receiver_mm_1 : f32,  radius_uv_0 : vec2<f32>,  taps_1 : i32) -> f32
+{
+    var tap_1 : i32 = i32(0);
+    var total_3 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_1 < taps_1)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var offset_0 : vec2<f32>;
+        if(taps_1 == i32(8))
+        {
+            offset_0 = SKIN_POISSON_8_0[min(tap_1, i32(7))];
+        }
+        else
+        {
+            offset_0 = SKIN_POISSON_32_0[min(tap_1, i32(31))];
+        }
+        var total_4 : f32 = total_3 + max(receiver_mm_1 - skin_linear_depth_0((textureSampleLevel((depth_map_3), (depth_map_sampler_3), (uv_1 + offset_0 * radius_uv_0), (0.0f))).x, projection_4), 0.0f);
+        tap_1 = tap_1 + i32(1);
+        total_3 = total_4;
+    }
+    return total_3 / f32(max(taps_1, i32(1)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_thickness(@builtin(global_invocation_id) thread_27 : vec3<u32>)
+{
+    var _S68 : u32 = thread_27.x;
+    var start_26 : u32 = _S68 * u32(22);
+    outputs_0[_S68] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[start_26], inputs_0[start_26 + u32(1)], inputs_0[start_26 + u32(2)], inputs_0[start_26 + u32(3)], inputs_0[start_26 + u32(4)], inputs_0[start_26 + u32(5)], inputs_0[start_26 + u32(6)], inputs_0[start_26 + u32(7)], inputs_0[start_26 + u32(8)], inputs_0[start_26 + u32(9)], inputs_0[start_26 + u32(10)], inputs_0[start_26 + u32(11)], inputs_0[start_26 + u32(12)], inputs_0[start_26 + u32(13)], inputs_0[start_26 + u32(14)], inputs_0[start_26 + u32(15)]), vec2<f32>(inputs_0[start_26 + u32(16)], inputs_0[start_26 + u32(17)]), inputs_0[start_26 + u32(18)], vec2<f32>(inputs_0[start_26 + u32(19)], inputs_0[start_26 + u32(20)]), i32(inputs_0[start_26 + u32(21)]));
+    return;
+}
+
+fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo_2 * albedo_2;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
+    var _S69 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S69 - a2_0) * decay_0 / (_S69 - a2_0 * decay_0 * decay_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_transmittance(@builtin(global_invocation_id) thread_28 : vec3<u32>)
+{
+    var _S70 : u32 = thread_28.x;
+    var start_27 : u32 = _S70 * u32(7);
+    var result_17 : vec3<f32> = skin_transmittance_0(inputs_0[start_27], vec3<f32>(inputs_0[start_27 + u32(1)], inputs_0[start_27 + u32(2)], inputs_0[start_27 + u32(3)]), vec3<f32>(inputs_0[start_27 + u32(4)], inputs_0[start_27 + u32(5)], inputs_0[start_27 + u32(6)]));
+    var _S71 : u32 = _S70 * u32(3);
+    outputs_0[_S71] = result_17[i32(0)];
+    outputs_0[_S71 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S71 + u32(2)] = result_17[i32(2)];
+    return;
+}
+
+fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f32
+{
+    var t_1 : f32 = thickness_mm_1 / radius_mm_0;
+    return exp(-0.5f * t_1 * t_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_transmittance(@builtin(global_invocation_id) thread_29 : vec3<u32>)
+{
+    var _S72 : u32 = thread_29.x;
+    var start_28 : u32 = _S72 * u32(2);
+    outputs_0[_S72] = skin_classic_transmittance_0(inputs_0[start_28], inputs_0[start_28 + u32(1)]);
+    return;
+}
+
+fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_0 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_0) * transmitted_0 * vec3<f32>(max(- n_dot_l_1, 0.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_30 : vec3<u32>)
+{
+    var _S73 : u32 = thread_30.x;
+    var start_29 : u32 = _S73 * u32(5);
+    var result_18 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[start_29], inputs_0[start_29 + u32(1)], inputs_0[start_29 + u32(2)]), inputs_0[start_29 + u32(3)], inputs_0[start_29 + u32(4)]);
+    var _S74 : u32 = _S73 * u32(3);
+    outputs_0[_S74] = result_18[i32(0)];
+    outputs_0[_S74 + u32(1)] = result_18[i32(1)];
+    outputs_0[_S74 + u32(2)] = result_18[i32(2)];
+    return;
+}
+
+fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 : vec3<f32>,  strength_1 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_1) * transmitted_1 * irradiance_behind_0;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_31 : vec3<u32>)
+{
+    var _S75 : u32 = thread_31.x;
+    var start_30 : u32 = _S75 * u32(7);
+    var result_19 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_30], inputs_0[start_30 + u32(1)], inputs_0[start_30 + u32(2)]), vec3<f32>(inputs_0[start_30 + u32(3)], inputs_0[start_30 + u32(4)], inputs_0[start_30 + u32(5)]), inputs_0[start_30 + u32(6)]);
+    var _S76 : u32 = _S75 * u32(3);
+    outputs_0[_S76] = result_19[i32(0)];
+    outputs_0[_S76 + u32(1)] = result_19[i32(1)];
+    outputs_0[_S76 + u32(2)] = result_19[i32(2)];
+    return;
+}
+
+fn skin_specular_power_0( gloss_0 : f32) -> f32
+{
+    return exp2(13.0f * gloss_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_specular_power(@builtin(global_invocation_id) thread_32 : vec3<u32>)
+{
+    var _S77 : u32 = thread_32.x;
+    outputs_0[_S77] = skin_specular_power_0(inputs_0[_S77]);
+    return;
+}
+
+fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
+{
+    var clamped_length_0 : f32 = clamp(normal_length_0, 0.00100000004749745f, 1.0f);
+    var power_1 : f32 = skin_specular_power_0(gloss_1);
+    return log2(max(clamped_length_0 * power_1 / (clamped_length_0 + power_1 * (1.0f - clamped_length_0)), 1.0f)) / 13.0f;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+{
+    var _S78 : u32 = thread_33.x;
+    var start_31 : u32 = _S78 * u32(2);
+    outputs_0[_S78] = skin_gloss_of_relief_0(inputs_0[start_31], inputs_0[start_31 + u32(1)]);
+    return;
+}
+
+fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
+{
+    var _S79 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S79 * _S79;
+    return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+{
+    var _S80 : u32 = thread_34.x;
+    outputs_0[_S80] = skin_gloss_from_roughness_0(inputs_0[_S80]);
+    return;
+}
+
+fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_2 : f32) -> f32
+{
+    var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_2 / 4.0f + 1.57079637050628662f);
+    var _S81 : f32 = 1.0f - k_0;
+    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S81 * n_dot_l_2) * (k_0 + _S81 * n_dot_v_1)));
+}
+
+fn skin_specular_0( normal_6 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
+{
+    var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_2 + light_5);
+    var n_dot_l_3 : f32 = saturate(dot(normal_6, light_5));
+    var n_dot_v_2 : f32 = clamp(dot(normal_6, view_2), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_6, half_vector_0));
+    var wide_0 : f32 = skin_specular_power_0(gloss_2);
+    var grazing_0 : f32 = 1.0f - saturate(dot(view_2, half_vector_0));
+    var grazing2_0 : f32 = grazing_0 * grazing_0;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance_0 + (1.0f - reflectance_0) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_specular(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+{
+    var _S82 : u32 = thread_35.x;
+    var start_32 : u32 = _S82 * u32(11);
+    outputs_0[_S82] = skin_specular_0(vec3<f32>(inputs_0[start_32], inputs_0[start_32 + u32(1)], inputs_0[start_32 + u32(2)]), vec3<f32>(inputs_0[start_32 + u32(3)], inputs_0[start_32 + u32(4)], inputs_0[start_32 + u32(5)]), vec3<f32>(inputs_0[start_32 + u32(6)], inputs_0[start_32 + u32(7)], inputs_0[start_32 + u32(8)]), inputs_0[start_32 + u32(9)], inputs_0[start_32 + u32(10)]);
+    return;
+}
+
+fn skin_reflected_0( normal_7 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>((2.0f * dot(normal_7, view_3))) * normal_7 - view_3;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflected(@builtin(global_invocation_id) thread_36 : vec3<u32>)
+{
+    var _S83 : u32 = thread_36.x;
+    var start_33 : u32 = _S83 * u32(6);
+    var result_20 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_33], inputs_0[start_33 + u32(1)], inputs_0[start_33 + u32(2)]), vec3<f32>(inputs_0[start_33 + u32(3)], inputs_0[start_33 + u32(4)], inputs_0[start_33 + u32(5)]));
+    var _S84 : u32 = _S83 * u32(3);
+    outputs_0[_S84] = result_20[i32(0)];
+    outputs_0[_S84 + u32(1)] = result_20[i32(1)];
+    outputs_0[_S84 + u32(2)] = result_20[i32(2)];
+    return;
+}
+
+fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectance_1 : f32) -> f32
+{
+    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_3);
+    var grazing2_1 : f32 = grazing_1 * grazing_1;
+    return reflectance_1 + (1.0f - reflectance_1) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_3);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+{
+    var _S85 : u32 = thread_37.x;
+    var start_34 : u32 = _S85 * u32(3);
+    outputs_0[_S85] = skin_ambient_specular_fresnel_0(inputs_0[start_34], inputs_0[start_34 + u32(1)], inputs_0[start_34 + u32(2)]);
+    return;
+}
+
+fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) -> f32
+{
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_4, reflectance_2);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+{
+    var _S86 : u32 = thread_38.x;
+    var start_35 : u32 = _S86 * u32(3);
+    outputs_0[_S86] = skin_diffuse_share_0(inputs_0[start_35], inputs_0[start_35 + u32(1)], inputs_0[start_35 + u32(2)]);
+    return;
+}
+
+fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
+{
+    var size_0 : vec2<f32> = abs(vec2<f32>(x_2, y_1));
+    var _S87 : f32 = size_0.x;
+    var _S88 : f32 = size_0.y;
+    var r_0 : f32 = min(_S87, _S88) / max(max(_S87, _S88), 1.00000000317107685e-30f);
+    var r2_1 : f32 = r_0 * r_0;
+    var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
+    var turns_1 : f32;
+    if(_S88 > _S87)
+    {
+        turns_1 = 0.25f - turns_0;
+    }
+    else
+    {
+        turns_1 = turns_0;
+    }
+    if(x_2 < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    return turns_1;
+}
+
+fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
+{
+    var _S89 : f32 = direction_0.x;
+    var _S90 : f32 = direction_0.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S90, _S89), 2.0f * skin_turns_0(sqrt(_S89 * _S89 + _S90 * _S90), direction_0.y));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_equirectangular_uv(@builtin(global_invocation_id) thread_39 : vec3<u32>)
+{
+    var _S91 : u32 = thread_39.x;
+    var start_36 : u32 = _S91 * u32(3);
+    var result_21 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]));
+    var _S92 : u32 = _S91 * u32(2);
+    outputs_0[_S92] = result_21[i32(0)];
+    outputs_0[_S92 + u32(1)] = result_21[i32(1)];
+    return;
+}
+
+fn skin_reflection_level_0( power_3 : f32) -> f32
+{
+    return clamp(0.5f * log2(max(power_3, 1.0f)), 0.0f, 4.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflection_level(@builtin(global_invocation_id) thread_40 : vec3<u32>)
+{
+    var _S93 : u32 = thread_40.x;
+    outputs_0[_S93] = skin_reflection_level_0(inputs_0[_S93]);
+    return;
+}
+
+fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_2 : vec2<f32>,  power_4 : f32) -> vec3<f32>
+{
+    var level_0 : f32 = skin_reflection_level_0(power_4);
+    var _S94 : f32 = min(floor(level_0), 3.0f);
+    var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
+    var _S95 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S95, (_S94 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S95, (_S94 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S94)));
+}
+
+fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_1 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+{
+    var uv_3 : vec2<f32> = skin_equirectangular_uv_0(direction_1);
+    var power_5 : f32 = skin_specular_power_0(gloss_5);
+    return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_3, power_5 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_3, power_5 * power_5 / 4.0f), vec3<f32>(0.05000000074505806f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflected_radiance(@builtin(global_invocation_id) thread_41 : vec3<u32>)
+{
+    var _S96 : u32 = thread_41.x;
+    var start_37 : u32 = _S96 * u32(4);
+    var result_22 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_37], inputs_0[start_37 + u32(1)], inputs_0[start_37 + u32(2)]), inputs_0[start_37 + u32(3)]);
+    var _S97 : u32 = _S96 * u32(3);
+    outputs_0[_S97] = result_22[i32(0)];
+    outputs_0[_S97 + u32(1)] = result_22[i32(1)];
+    outputs_0[_S97 + u32(2)] = result_22[i32(2)];
+    return;
+}
+
+fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
+{
+    var x_3 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S98 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S98 + vec3<f32>(0.5f)) / (x_3 * (_S98 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_filmic(@builtin(global_invocation_id) thread_42 : vec3<u32>)
+{
+    var start_38 : u32 = thread_42.x * u32(3);
+    var _S99 : u32 = start_38 + u32(1);
+    var _S100 : u32 = start_38 + u32(2);
+    var result_23 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_38], inputs_0[_S99], inputs_0[_S100]));
+    outputs_0[start_38] = result_23[i32(0)];
+    outputs_0[_S99] = result_23[i32(1)];
+    outputs_0[_S100] = result_23[i32(2)];
+    return;
+}
+
+fn skin_srgb_curve_0( x_4 : f32) -> f32
+{
+    var _S101 : f32;
+    if(x_4 <= 0.00313080009073019f)
+    {
+        _S101 = 12.92000007629394531f * x_4;
+    }
+    else
+    {
+        _S101 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S101;
+}
+
+fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
+{
+    var x_5 : vec3<f32> = saturate(light_7);
+    return vec3<f32>(skin_srgb_curve_0(x_5.x), skin_srgb_curve_0(x_5.y), skin_srgb_curve_0(x_5.z));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_43 : vec3<u32>)
+{
+    var start_39 : u32 = thread_43.x * u32(3);
+    var _S102 : u32 = start_39 + u32(1);
+    var _S103 : u32 = start_39 + u32(2);
+    var result_24 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_39], inputs_0[_S102], inputs_0[_S103]));
+    outputs_0[start_39] = result_24[i32(0)];
+    outputs_0[_S102] = result_24[i32(1)];
+    outputs_0[_S103] = result_24[i32(2)];
+    return;
+}
+
+fn skin_linear_curve_0( x_6 : f32) -> f32
+{
+    var _S104 : f32;
+    if(x_6 <= 0.04044999927282333f)
+    {
+        _S104 = x_6 / 12.92000007629394531f;
+    }
+    else
+    {
+        _S104 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+    }
+    return _S104;
+}
+
+fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
+{
+    var x_7 : vec3<f32> = saturate(display_0);
+    return vec3<f32>(skin_linear_curve_0(x_7.x), skin_linear_curve_0(x_7.y), skin_linear_curve_0(x_7.z));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_44 : vec3<u32>)
+{
+    var start_40 : u32 = thread_44.x * u32(3);
+    var _S105 : u32 = start_40 + u32(1);
+    var _S106 : u32 = start_40 + u32(2);
+    var result_25 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_40], inputs_0[_S105], inputs_0[_S106]));
+    outputs_0[start_40] = result_25[i32(0)];
+    outputs_0[_S105] = result_25[i32(1)];
+    outputs_0[_S106] = result_25[i32(2)];
+    return;
+}
+
+fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size_1 : f32,  hardware_level_1 : f32) -> f32
+{
+    return max(hardware_level_1, log2(max(map_size_1 * radius_mm_1, uv_scale_mm_1) / uv_scale_mm_1));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_45 : vec3<u32>)
+{
+    var _S107 : u32 = thread_45.x;
+    var start_41 : u32 = _S107 * u32(4);
+    outputs_0[_S107] = skin_classic_blur_level_0(inputs_0[start_41], inputs_0[start_41 + u32(1)], inputs_0[start_41 + u32(2)], inputs_0[start_41 + u32(3)]);
+    return;
+}
+
+fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  sharp_0 : vec3<f32>,  blurred_0 : vec3<f32>,  light_8 : vec3<f32>,  curvature_per_mm_6 : f32) -> vec3<f32>
+{
+    var blurred_cosine_0 : f32 = dot(blurred_0, light_8);
+    var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_2 : f32 = k_1 * k_1;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_8), dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>(k_2))), light_8))) + ((textureSampleLevel((lut_6), (lut_sampler_6), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_6)) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_direct(@builtin(global_invocation_id) thread_46 : vec3<u32>)
+{
+    var _S108 : u32 = thread_46.x;
+    var start_42 : u32 = _S108 * u32(14);
+    var result_26 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_42], inputs_0[start_42 + u32(1)], inputs_0[start_42 + u32(2)], inputs_0[start_42 + u32(3)]), vec3<f32>(inputs_0[start_42 + u32(4)], inputs_0[start_42 + u32(5)], inputs_0[start_42 + u32(6)]), vec3<f32>(inputs_0[start_42 + u32(7)], inputs_0[start_42 + u32(8)], inputs_0[start_42 + u32(9)]), vec3<f32>(inputs_0[start_42 + u32(10)], inputs_0[start_42 + u32(11)], inputs_0[start_42 + u32(12)]), inputs_0[start_42 + u32(13)]);
+    var _S109 : u32 = _S108 * u32(3);
+    outputs_0[_S109] = result_26[i32(0)];
+    outputs_0[_S109 + u32(1)] = result_26[i32(1)];
+    outputs_0[_S109 + u32(2)] = result_26[i32(2)];
+    return;
+}
+
+fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(blurred_1, skin_unit_vectors_0(mix(sharp_1, blurred_1, vec3<f32>(0.30000001192092896f))), sharp_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_47 : vec3<u32>)
+{
+    var _S110 : u32 = thread_47.x;
+    var start_43 : u32 = _S110 * u32(6);
+    var result_27 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_43], inputs_0[start_43 + u32(1)], inputs_0[start_43 + u32(2)]), vec3<f32>(inputs_0[start_43 + u32(3)], inputs_0[start_43 + u32(4)], inputs_0[start_43 + u32(5)]));
+    var _S111 : u32 = _S110 * u32(9);
+    outputs_0[_S111] = result_27[i32(0)][i32(0)];
+    outputs_0[_S111 + u32(1)] = result_27[i32(0)][i32(1)];
+    outputs_0[_S111 + u32(2)] = result_27[i32(0)][i32(2)];
+    outputs_0[_S111 + u32(3)] = result_27[i32(1)][i32(0)];
+    outputs_0[_S111 + u32(4)] = result_27[i32(1)][i32(1)];
+    outputs_0[_S111 + u32(5)] = result_27[i32(1)][i32(2)];
+    outputs_0[_S111 + u32(6)] = result_27[i32(2)][i32(0)];
+    outputs_0[_S111 + u32(7)] = result_27[i32(2)][i32(1)];
+    outputs_0[_S111 + u32(8)] = result_27[i32(2)][i32(2)];
+    return;
+}
+
+fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) -> f32
+{
+    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_48 : vec3<u32>)
+{
+    var _S112 : u32 = thread_48.x;
+    var start_44 : u32 = _S112 * u32(2);
+    outputs_0[_S112] = skin_classic_sharpened_shadow_0(inputs_0[start_44], inputs_0[start_44 + u32(1)]);
+    return;
+}
+
+fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_mm_2 : f32,  strength_2 : f32) -> f32
+{
+    return strength_2 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_4, 0.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_49 : vec3<u32>)
+{
+    var _S113 : u32 = thread_49.x;
+    var start_45 : u32 = _S113 * u32(4);
+    outputs_0[_S113] = skin_classic_deep_scatter_0(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)], inputs_0[start_45 + u32(3)]);
+    return;
+}
+

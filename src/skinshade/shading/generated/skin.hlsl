@@ -1,0 +1,547 @@
+// The skinshade library, generated from shading/*.slang by `python -m codegen`.
+static const float2  SKIN_SHADOW_DISK_48[int(48)] = { float2(0.08340597897768021f, 0.0f), float2(-0.10671073943376541f, 0.09775578230619431f), float2(0.01636306010186672f, -0.1864485889673233f), float2(0.13498826324939728f, 0.17606829106807709f), float2(-0.24817833304405212f, -0.04389924928545952f), float2(0.2355383038520813f, -0.14983019232749939f), float2(-0.07893361896276474f, 0.29362913966178894f), float2(-0.15082783997058868f, -0.29040983319282532f), float2(0.32788398861885071f, 0.11974270641803741f), float2(-0.34179624915122986f, 0.14108851552009583f), float2(0.16510665416717529f, -0.35282331705093384f), float2(0.12226484715938568f, 0.38979959487915039f), float2(-0.36929354071617126f, -0.21401314437389374f), float2(0.4341655969619751f, -0.09545008838176727f), float2(-0.2655525803565979f, 0.37772122025489807f), float2(-0.06148780882358551f, -0.47449716925621033f), float2(0.37834861874580383f, 0.31887263059616089f), float2(-0.51034331321716309f, 0.02110430039465427f), float2(0.37315717339515686f, -0.37134122848510742f), float2(-0.02502750046551228f, 0.54124277830123901f), float2(-0.3568427562713623f, -0.42761686444282532f), float2(0.56674838066101074f, 0.0762551873922348f), float2(-0.48148587346076965f, 0.33500534296035767f), float2(0.13193005323410034f, -0.58644229173660278f), float2(0.30600649118423462f, 0.53402209281921387f), float2(-0.59994620084762573f, -0.1913992166519165f), float2(0.58451014757156372f, -0.27005851268768311f), float2(-0.25400349497795105f, 0.60692840814590454f), float2(-0.22741274535655975f, -0.63226538896560669f), float2(0.60710901021957397f, 0.31907948851585388f), float2(-0.6766400933265686f, 0.17836016416549683f), float2(0.38596493005752563f, -0.60026413202285767f), float2(0.12322843074798584f, 0.71703100204467773f), float2(-0.58622837066650391f, -0.45400822162628174f), float2(0.75288873910903931f, -0.06237528845667839f), float2(-0.52258288860321045f, 0.56489682197570801f), float2(0.0038233099039644f, -0.78373259305953979f), float2(0.53622621297836304f, 0.59111112356185913f), float2(-0.80917233228683472f, -0.07499390840530396f), float2(0.65910446643829346f, -0.50023680925369263f), float2(-0.15080370008945465f, 0.82895052433013916f), float2(-0.45701694488525391f, -0.72624564170837402f), float2(0.84303575754165649f, 0.23104114830493927f), float2(-0.79258495569229126f, 0.40674149990081787f), float2(0.31582745909690857f, -0.85189038515090942f), float2(0.34976369142532349f, 0.85918575525283813f), float2(-0.85765814781188965f, -0.40646019577980042f), float2(0.93254464864730835f, -0.28751349449157715f) };
+static const float2  SKIN_SHADOW_DISK_16[int(16)] = { float2(0.14471825957298279f, 0.0f), float2(-0.18583981692790985f, 0.170244500041008f), float2(0.02860930934548378f, -0.32598838210105896f), float2(0.23701368272304535f, 0.30914238095283508f), float2(-0.43773865699768066f, -0.07742980122566223f), float2(0.41749045252799988f, -0.26557326316833496f), float2(-0.14065909385681152f, 0.52324479818344116f), float2(-0.27035140991210938f, -0.52054518461227417f), float2(0.59152573347091675f, 0.21602423489093781f), float2(-0.6210860013961792f, 0.25637525320053101f), float2(0.30247461795806885f, -0.64637070894241333f), float2(0.22609943151473999f, 0.72084063291549683f), float2(-0.69051814079284668f, -0.40016940236091614f), float2(0.82290405035018921f, -0.18091315031051636f), float2(-0.5123591423034668f, 0.7287781834602356f), float2(-0.12196926772594452f, -0.94122844934463501f) };
+static const float2  SKIN_POISSON_32[int(32)] = { float2(-0.02096010930836201f, 0.01299272011965513f), float2(0.69517123699188232f, -0.04910685122013092f), float2(0.28034570813179016f, 0.66283899545669556f), float2(0.03107489086687565f, -0.69704329967498779f), float2(-0.49904009699821472f, 0.54098159074783325f), float2(-0.70408397912979126f, -0.14709833264350891f), float2(0.53451526165008545f, -0.56702268123626709f), float2(-0.48678380250930786f, -0.61486828327178955f), float2(0.68837428092956543f, 0.41418349742889404f), float2(-0.14107078313827515f, 0.8102262020111084f), float2(0.21897397935390472f, -0.3123532235622406f), float2(0.31406453251838684f, 0.24951401352882385f), float2(-0.83115619421005249f, 0.28457203507423401f), float2(-0.40699386596679688f, 0.14198443293571472f), float2(-0.10747358947992325f, 0.41360348463058472f), float2(-0.19334819912910461f, -0.34689420461654663f), float2(0.80768358707427979f, -0.37000563740730286f), float2(0.33436411619186401f, -0.82407790422439575f), float2(-0.79105347394943237f, -0.45378401875495911f), float2(-0.23485180735588074f, -0.86940687894821167f), float2(0.37255629897117615f, -0.05855973064899445f), float2(0.5726354718208313f, 0.72984015941619873f), float2(0.8966706395149231f, 0.17047682404518127f), float2(-0.43273070454597473f, 0.81860679388046265f), float2(0.1212853416800499f, 0.92984902858734131f), float2(-0.42749753594398499f, -0.15111121535301208f), float2(-0.94129812717437744f, 0.00735718011856079f), float2(0.52211439609527588f, -0.28702935576438904f), float2(-0.79033631086349487f, 0.5402228832244873f), float2(-0.23410981893539429f, -0.59940856695175171f), float2(0.28244560956954956f, -0.563071608543396f), float2(0.57051312923431396f, 0.18359191715717316f) };
+static const float2  SKIN_POISSON_8[int(8)] = { float2(-0.16089901328086853f, -0.04573699831962585f), float2(-0.89243310689926147f, 0.18877510726451874f), float2(-0.17830690741539001f, 0.7200586199760437f), float2(-0.53433239459991455f, -0.70478206872940063f), float2(0.22474820911884308f, -0.69165337085723877f), float2(0.5559992790222168f, 0.1985180526971817f), float2(0.64686292409896851f, -0.3364911675453186f), float2(0.33836102485656738f, 0.67131179571151733f) };
+
+float skin_map_level(float2 map_extent, float2 uv_along_x, float2 uv_along_y)
+{
+    float2 texels_x_0 = uv_along_x * map_extent;
+    float2 texels_y_0 = uv_along_y * map_extent;
+    float x_0 = dot(texels_x_0, texels_x_0);
+    float y_0 = dot(texels_y_0, texels_y_0);
+    return max(0.5f * log2(max(max(min(x_0, y_0), max(x_0, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
+}
+
+float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float hardware_level)
+{
+    return max(hardware_level, log2(max(2.0f * sigma_mm * map_size / uv_scale_mm, 1.0f)));
+}
+
+float3 skin_weighted_sum(float3x3 rows, float3 weights)
+{
+    return weights.x * rows[int(0)] + weights.y * rows[int(1)] + weights.z * rows[int(2)];
+}
+
+float3x3 skin_blend_normals(float3x3 fetched, float3x3 blend)
+{
+    return float3x3(skin_weighted_sum(fetched, blend[int(0)]), skin_weighted_sum(fetched, blend[int(1)]), skin_weighted_sum(fetched, blend[int(2)]));
+}
+
+float skin_safe_length(float3 v)
+{
+    return sqrt(max(dot(v, v), 1.00000004581370497e-18f));
+}
+
+float3 skin_with_mesh_diffusion(float3 from_texture, float3 from_mesh, float3 mesh_normal)
+{
+    return from_texture + skin_safe_length(from_texture) * (from_mesh - mesh_normal);
+}
+
+float3x3 skin_add_mesh_diffusion(float3x3 from_texture, float3x3 from_mesh, float3 mesh_normal)
+{
+    return float3x3(skin_with_mesh_diffusion(from_texture[int(0)], from_mesh[int(0)], mesh_normal), skin_with_mesh_diffusion(from_texture[int(1)], from_mesh[int(1)], mesh_normal), skin_with_mesh_diffusion(from_texture[int(2)], from_mesh[int(2)], mesh_normal));
+}
+
+float skin_relief_bump(float m, float s)
+{
+    float _S1 = max(s, 9.99999971718068537e-10f);
+    float _S2 = max(1.0f - abs(m) / (4.40000009536743164f * _S1), 0.0f);
+    float t2_0 = _S2 * _S2;
+    return _S1 * t2_0 * t2_0 * (0.16452799737453461f + _S2 * (-1.55506408214569092f + _S2 * (7.10253477096557617f + _S2 * (-16.75164794921875f + _S2 * (22.75126266479492188f + _S2 * (-15.08054447174072266f + _S2 * 3.76787090301513672f))))));
+}
+
+float3 skin_lengths(float3x3 normals)
+{
+    return float3(skin_safe_length(normals[int(0)]), skin_safe_length(normals[int(1)]), skin_safe_length(normals[int(2)]));
+}
+
+float3 skin_cosines(float3x3 normals, float3 light, float3 lengths)
+{
+    return clamp(float3(dot(normals[int(0)], light), dot(normals[int(1)], light), dot(normals[int(2)], light)) / lengths, (float3)-1.0f, (float3)1.0f);
+}
+
+float3 skin_curvature_table(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3 cos_theta, float curvature_per_mm)
+{
+    float row_0 = sqrt(max(curvature_per_mm, 0.0f));
+    float2 _S3 = lut_axes.xz;
+    float2 _S4 = lut_axes.yw;
+    return float3(lut.SampleLevel(lut_sampler, saturate((float2(cos_theta.x, row_0) - _S3) * _S4), 0.0f).xyz.x, lut.SampleLevel(lut_sampler, saturate((float2(cos_theta.y, row_0) - _S3) * _S4), 0.0f).xyz.y, lut.SampleLevel(lut_sampler, saturate((float2(cos_theta.z, row_0) - _S3) * _S4), 0.0f).xyz.z);
+}
+
+float3 skin_relief_light(float3 lengths, float3 cos_theta)
+{
+    float3 slope_0 = sqrt(max(- log(clamp(lengths, (float3)0.00100000004749745f, (float3)1.0f)) * (1.0f - cos_theta * cos_theta), (float3)0.0f));
+    return float3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z));
+}
+
+float3 skin_direct_scalar(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3x3 normals, float3 light, float curvature_per_mm, float3 gain)
+{
+    float3 lengths_2 = skin_lengths(normals);
+    float3 cos_theta_2 = skin_cosines(normals, light, lengths_2);
+    return gain * (lengths_2 * skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_2, abs(curvature_per_mm)) + skin_relief_light(lengths_2, cos_theta_2));
+}
+
+float3 skin_transfer(Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float k_per_mm)
+{
+    return transfer.SampleLevel(transfer_sampler, saturate((float2(sqrt(max(k_per_mm, 0.0f)), 0.5f) - transfer_axes.xz) * transfer_axes.yw), 0.0f).xyz;
+}
+
+float3 skin_direct_tensor(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float3x3 normals, float3 light, float directional_per_mm, float total_per_mm, float3 gain)
+{
+    float3 lengths_3 = skin_lengths(normals);
+    float3 cos_theta_3 = skin_cosines(normals, light, lengths_3);
+    return gain * (lengths_3 * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_3, directional_per_mm) * skin_transfer(transfer, transfer_sampler, transfer_axes, sqrt(max((total_per_mm - directional_per_mm) * (total_per_mm + directional_per_mm), 0.0f)))) + skin_relief_light(lengths_3, cos_theta_3));
+}
+
+float3 skin_direct_diffused_normals(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float3x3 normals, float3 relief_length, float3 light, float directional_per_mm, float3 gain)
+{
+    float3 lengths_4 = skin_lengths(normals);
+    float3 cos_theta_4 = skin_cosines(normals, light, lengths_4);
+    return gain * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_4, directional_per_mm) * min(lengths_4 / max(skin_transfer(transfer, transfer_sampler, transfer_axes, directional_per_mm), (float3)9.99999997475242708e-07f), (float3)1.0f) + skin_relief_light(relief_length, cos_theta_4));
+}
+
+float3 skin_relief_length(Texture2D<float4 > transfer, SamplerState transfer_sampler, float4 transfer_axes, float3x3 from_texture, float3x3 from_mesh, float total_per_mm)
+{
+    return skin_lengths(from_texture) * min(skin_lengths(from_mesh) / max(0.97500002384185791f * skin_transfer(transfer, transfer_sampler, transfer_axes, total_per_mm), (float3)9.99999997475242708e-07f), (float3)1.0f);
+}
+
+float2 skin_directional_curvature(float3x3 tensor_world, float3 normal, float3 light)
+{
+    float3 tangential_0 = light - normal * dot(light, normal);
+    float3 change_0 = float3(dot(tensor_world[int(0)], tangential_0), dot(tensor_world[int(1)], tangential_0), dot(tensor_world[int(2)], tangential_0));
+    float total_0 = sqrt(dot(tensor_world[int(0)], tensor_world[int(0)]) + dot(tensor_world[int(1)], tensor_world[int(1)]) + dot(tensor_world[int(2)], tensor_world[int(2)]));
+    return float2(min(sqrt(dot(change_0, change_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
+}
+
+float3 skin_energy_gain(float3 albedo, float3 rms_radius_mm, float3 curvature_per_mm)
+{
+    float3 scaled_curvature_0 = 1.20000004768371582f * rms_radius_mm * max(curvature_per_mm, (float3)0.0f);
+    float3 bound_0 = albedo * scaled_curvature_0;
+    return 1.0f + (1.0f - albedo) * scaled_curvature_0 / sqrt(1.0f + bound_0 * bound_0);
+}
+
+float skin_linear_depth(float depth, float4x4 projection)
+{
+    return abs((depth * projection[int(3)][int(3)] - projection[int(2)][int(3)]) / (projection[int(2)][int(2)] - depth * projection[int(3)][int(2)]));
+}
+
+float3 skin_inward_offset(float3 position_mm, float3 normal, float offset_mm)
+{
+    return position_mm - normal * offset_mm;
+}
+
+float skin_thickness(Texture2D<float4 > depth_map, SamplerState depth_map_sampler, float4x4 projection, float2 uv, float receiver_mm, float2 radius_uv, int taps)
+{
+    int tap_0 = int(0);
+    float total_1 = 0.0f;
+    for(;;)
+    {
+        if(tap_0 < taps)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2 offset_0;
+        if(taps == int(8))
+        {
+            offset_0 = SKIN_POISSON_8[min(tap_0, int(7))];
+        }
+        else
+        {
+            offset_0 = SKIN_POISSON_32[min(tap_0, int(31))];
+        }
+        float total_2 = total_1 + max(receiver_mm - skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, uv + offset_0 * radius_uv, 0.0f).x, projection), 0.0f);
+        tap_0 = tap_0 + int(1);
+        total_1 = total_2;
+    }
+    return total_1 / float(max(taps, int(1)));
+}
+
+float3 skin_transmittance(float thickness_mm, float3 albedo, float3 sigma_per_mm)
+{
+    float3 a2_0 = albedo * albedo;
+    float3 decay_0 = exp(- sigma_per_mm * thickness_mm);
+    return (1.0f - a2_0) * decay_0 / (1.0f - a2_0 * decay_0 * decay_0);
+}
+
+float skin_classic_transmittance(float thickness_mm, float radius_mm)
+{
+    float t_0 = thickness_mm / radius_mm;
+    return exp(-0.5f * t_0 * t_0);
+}
+
+float3 skin_direct_deep_scatter(float3 transmitted, float n_dot_l, float strength)
+{
+    return strength * transmitted * max(- n_dot_l, 0.0f);
+}
+
+float3 skin_ambient_deep_scatter(float3 transmitted, float3 irradiance_behind, float strength)
+{
+    return strength * transmitted * irradiance_behind;
+}
+
+float skin_smoothstep(float p)
+{
+    float q_0 = saturate(p);
+    return q_0 * q_0 * (3.0f - 2.0f * q_0);
+}
+
+float4 skin_light_coordinates(float3 position_mm, float4x4 view, float4x4 projection)
+{
+    float4 p_1 = float4(position_mm, 1.0f);
+    float _S5 = dot(view[int(2)], p_1);
+    float4 in_view_0 = float4(dot(view[int(0)], p_1), dot(view[int(1)], p_1), _S5, 1.0f);
+    float w_0 = dot(projection[int(3)], in_view_0);
+    float w_1;
+    if((abs(w_0)) < 9.99999971718068537e-10f)
+    {
+        w_1 = 9.99999971718068537e-10f;
+    }
+    else
+    {
+        w_1 = w_0;
+    }
+    return float4(0.5f + 0.5f * (dot(projection[int(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection[int(1)], in_view_0) / w_1), abs(_S5), w_1);
+}
+
+float3 skin_unit_vectors(float3 v)
+{
+    return v / skin_safe_length(v);
+}
+
+float3 skin_shadow_receiver(float3 position_mm, float3 normal, float3 to_light, float curvature_per_mm)
+{
+    float cosine_0 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * cosine_0) * min(max(- cosine_0, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f);
+}
+
+float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm, float3 light_right, float3 light_up)
+{
+    float3 plane_normal_0 = skin_unit_vectors(normal + to_light * max(- dot(normal, to_light), 0.0f));
+    float3 axis_0 = cross(light_right, light_up);
+    float handedness_0;
+    if((dot(to_light, axis_0)) < 0.0f)
+    {
+        handedness_0 = -1.0f;
+    }
+    else
+    {
+        handedness_0 = 1.0f;
+    }
+    float2 slope_1 = float2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f);
+    return slope_1 / max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f);
+}
+
+float skin_shadow_occluder_depth(float depth_mm, float faces_light)
+{
+    return depth_mm + 4.0f * faces_light;
+}
+
+float skin_shadow_compare(Texture2D<float4 > depth_map, SamplerState depth_map_sampler, float2 map_extent, float4x4 projection, float2 uv, float receiver_mm)
+{
+    float2 position_0 = uv * map_extent - 0.5f;
+    float2 corner_0 = floor(position_0);
+    float2 weights_1 = position_0 - corner_0;
+    float2 _S6 = (float2)0.0f;
+    float2 _S7 = map_extent - 1.0f;
+    float2 low_0 = (clamp(corner_0, _S6, _S7) + 0.5f) / map_extent;
+    float2 high_0 = (clamp(corner_0 + 1.0f, _S6, _S7) + 0.5f) / map_extent;
+    float4 lit_0 = step(float4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), float4(skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, low_0, 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, float2(high_0.x, low_0.y), 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, float2(low_0.x, high_0.y), 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, high_0, 0.0f).x, projection)));
+    float2 rows_1 = lerp(lit_0.xz, lit_0.yw, (float2)weights_1.x);
+    return lerp(rows_1.x, rows_1.y, weights_1.y);
+}
+
+float skin_shadow_filter(Texture2D<float4 > depth_map, SamplerState depth_map_sampler, float2 map_extent, float4x4 view, float4x4 projection, float3 position_mm, float3 normal, float3 to_light, float curvature_per_mm, float filter_width_mm, float bias_mm, int taps)
+{
+    float4 coordinates_0 = skin_light_coordinates(skin_shadow_receiver(position_mm, normal, to_light, curvature_per_mm), view, projection);
+    float2 _S8 = skin_shadow_slope(normal, to_light, curvature_per_mm, view[int(0)].xyz, view[int(1)].xyz);
+    float2 _S9 = 0.5f * float2(abs(projection[int(0)].x), abs(projection[int(1)].y)) / abs(coordinates_0.w);
+    int tap_1 = int(0);
+    float total_3 = 0.0f;
+    for(;;)
+    {
+        if(tap_1 < taps)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2 disk_0;
+        if(taps == int(16))
+        {
+            disk_0 = SKIN_SHADOW_DISK_16[min(tap_1, int(15))];
+        }
+        else
+        {
+            disk_0 = SKIN_SHADOW_DISK_48[min(tap_1, int(47))];
+        }
+        float2 across_mm_0 = 0.5f * filter_width_mm * disk_0;
+        float total_4 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S9, coordinates_0.z - bias_mm + dot(_S8, across_mm_0));
+        tap_1 = tap_1 + int(1);
+        total_3 = total_4;
+    }
+    return total_3 / float(max(taps, int(1)));
+}
+
+float3 skin_diffused_shadow(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float shadow_filter, float n_dot_l, float filter_width_mm)
+{
+    return lut.SampleLevel(lut_sampler, saturate((float2(shadow_filter, max(n_dot_l, 0.05000000074505806f) / filter_width_mm) - lut_axes.xz) * lut_axes.yw), 0.0f).xyz;
+}
+
+float skin_sharpened_shadow(float shadow_filter, float sharpening)
+{
+    return skin_smoothstep((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter)) / 3.0f) - 0.5f) * sharpening + 0.5f);
+}
+
+float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
+{
+    float _S10 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    float _S11 = max(depth_mm - mean_depth_mm, 0.0f);
+    return _S10 / (_S10 + _S11 * _S11);
+}
+
+float3 skin_sh_bands(float3x3 sh, float3 d)
+{
+    float _S12 = d.y;
+    float _S13 = d.z;
+    float _S14 = d.x;
+    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S12 + sh[int(0)].z * _S13 + sh[int(1)].x * _S14), 1.09254848957061768f * (sh[int(1)].y * _S14 * _S12 + sh[int(1)].z * _S12 * _S13 + sh[int(2)].y * _S14 * _S13) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S13 * _S13 - dot(d, d)) + 0.54627424478530884f * sh[int(2)].z * (_S14 * _S14 - _S12 * _S12));
+}
+
+float skin_ambient_channel(float3x3 sh, float3 normal, float3 band_transfer)
+{
+    return max(dot(skin_sh_bands(sh, normal), float3(1.0f, 1.0f, skin_safe_length(normal)) * band_transfer * float3(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+}
+
+float3 skin_ambient_irradiance(float3x3 radiance_sh_red, float3x3 radiance_sh_green, float3x3 radiance_sh_blue, float3x3 normals, float3x3 band_transfer)
+{
+    float3x3 t_1 = transpose(band_transfer);
+    return float3(skin_ambient_channel(radiance_sh_red, normals[int(0)], t_1[int(0)]), skin_ambient_channel(radiance_sh_green, normals[int(1)], t_1[int(1)]), skin_ambient_channel(radiance_sh_blue, normals[int(2)], t_1[int(2)]));
+}
+
+float3x3 skin_ambient_normals(float3x3 normals)
+{
+    return float3x3(skin_unit_vectors(normals[int(0)]), skin_unit_vectors(normals[int(1)]), skin_unit_vectors(normals[int(2)]));
+}
+
+float3 skin_ambient_of_three(float3 red, float3 green, float3 blue)
+{
+    return float3(red.x, green.y, blue.z);
+}
+
+float3 skin_bounced_visibility(float3 visibility, float3 albedo)
+{
+    return max(visibility, ((visibility * (2.04040002822875977f * albedo - 0.33239999413490295f) + (-4.79510021209716797f * albedo + 0.64170002937316895f)) * visibility + (2.75519990921020508f * albedo + 0.69029998779296875f)) * visibility);
+}
+
+float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
+{
+    float exponent_0 = (exp2((-16.0f * roughness - 1.0f)));
+    float base_0 = n_dot_v + visibility;
+    float power_0;
+    if(base_0 > 0.0f)
+    {
+        power_0 = pow(base_0, exponent_0);
+    }
+    else
+    {
+        power_0 = 0.0f;
+    }
+    return saturate(power_0 - 1.0f + visibility);
+}
+
+float skin_specular_power(float gloss)
+{
+    return (exp2((13.0f * gloss)));
+}
+
+float skin_gloss_of_relief(float gloss, float normal_length)
+{
+    float clamped_length_0 = clamp(normal_length, 0.00100000004749745f, 1.0f);
+    float power_1 = skin_specular_power(gloss);
+    return log2(max(clamped_length_0 * power_1 / (clamped_length_0 + power_1 * (1.0f - clamped_length_0)), 1.0f)) / 13.0f;
+}
+
+float skin_gloss_from_roughness(float roughness)
+{
+    float _S15 = max(roughness, 0.00100000004749745f);
+    float r2_0 = _S15 * _S15;
+    return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
+}
+
+float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
+{
+    float k_0 = rsqrt(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
+    float _S16 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S16 * n_dot_l) * (k_0 + _S16 * n_dot_v)));
+}
+
+float skin_specular(float3 normal, float3 view, float3 light, float gloss, float reflectance)
+{
+    float3 half_vector_0 = skin_unit_vectors(view + light);
+    float n_dot_l_3 = saturate(dot(normal, light));
+    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    float n_dot_h_1 = saturate(dot(normal, half_vector_0));
+    float wide_0 = skin_specular_power(gloss);
+    float grazing_0 = 1.0f - saturate(dot(view, half_vector_0));
+    float grazing2_0 = grazing_0 * grazing_0;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+}
+
+float3 skin_reflected(float3 normal, float3 view)
+{
+    return 2.0f * dot(normal, view) * normal - view;
+}
+
+float skin_ambient_specular_fresnel(float n_dot_v, float gloss, float reflectance)
+{
+    float grazing_1 = 1.0f - saturate(n_dot_v);
+    float grazing2_1 = grazing_1 * grazing_1;
+    return reflectance + (1.0f - reflectance) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss);
+}
+
+float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
+{
+    return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
+}
+
+float skin_turns(float y, float x)
+{
+    float2 size_0 = abs(float2(x, y));
+    float _S17 = size_0.x;
+    float _S18 = size_0.y;
+    float r_0 = min(_S17, _S18) / max(max(_S17, _S18), 1.00000000317107685e-30f);
+    float r2_1 = r_0 * r_0;
+    float turns_0 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
+    float turns_1;
+    if(_S18 > _S17)
+    {
+        turns_1 = 0.25f - turns_0;
+    }
+    else
+    {
+        turns_1 = turns_0;
+    }
+    if(x < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    else
+    {
+    }
+    if(y < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    else
+    {
+    }
+    return turns_1;
+}
+
+float2 skin_equirectangular_uv(float3 direction)
+{
+    float _S19 = direction.x;
+    float _S20 = direction.z;
+    return float2(0.5f + skin_turns(_S20, _S19), 2.0f * skin_turns(sqrt(_S19 * _S19 + _S20 * _S20), direction.y));
+}
+
+float skin_reflection_level(float power)
+{
+    return clamp(0.5f * log2(max(power, 1.0f)), 0.0f, 4.0f);
+}
+
+float3 skin_preconvolved(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float2 uv, float power)
+{
+    float level_0 = skin_reflection_level(power);
+    float _S21 = min(floor(level_0), 3.0f);
+    float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
+    float _S22 = uv.x;
+    return lerp(preconvolved.SampleLevel(preconvolved_sampler, float2(_S22, (_S21 + row_1) / 5.0f), 0.0f).xyz, preconvolved.SampleLevel(preconvolved_sampler, float2(_S22, (_S21 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_0 - _S21));
+}
+
+float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float3 direction, float gloss)
+{
+    float2 uv_3 = skin_equirectangular_uv(direction);
+    float power_5 = skin_specular_power(gloss);
+    return lerp(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0f), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0f), (float3)0.05000000074505806f);
+}
+
+float3 skin_filmic(float3 light)
+{
+    float3 x_2 = max(light - 0.00400000018998981f, (float3)0.0f);
+    float3 _S23 = 6.19999980926513672f * x_2;
+    return x_2 * (_S23 + 0.5f) / (x_2 * (_S23 + 1.70000004768371582f) + 0.05999999865889549f);
+}
+
+float skin_srgb_curve(float x)
+{
+    float _S24;
+    if(x <= 0.00313080009073019f)
+    {
+        _S24 = 12.92000007629394531f * x;
+    }
+    else
+    {
+        _S24 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S24;
+}
+
+float3 skin_srgb_from_linear(float3 light)
+{
+    float3 x_4 = saturate(light);
+    return float3(skin_srgb_curve(x_4.x), skin_srgb_curve(x_4.y), skin_srgb_curve(x_4.z));
+}
+
+float skin_linear_curve(float x)
+{
+    float _S25;
+    if(x <= 0.04044999927282333f)
+    {
+        _S25 = x / 12.92000007629394531f;
+    }
+    else
+    {
+        _S25 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+    }
+    return _S25;
+}
+
+float3 skin_linear_from_srgb(float3 display)
+{
+    float3 x_6 = saturate(display);
+    return float3(skin_linear_curve(x_6.x), skin_linear_curve(x_6.y), skin_linear_curve(x_6.z));
+}
+
+float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size, float hardware_level)
+{
+    return max(hardware_level, log2(max(map_size * radius_mm, uv_scale_mm) / uv_scale_mm));
+}
+
+float3 skin_classic_direct(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3 sharp, float3 blurred, float3 light, float curvature_per_mm)
+{
+    float blurred_cosine_0 = dot(blurred, light);
+    float k_1 = saturate(1.0f - blurred_cosine_0);
+    float k_2 = k_1 * k_1;
+    return saturate(saturate(float3(blurred_cosine_0, dot(skin_unit_vectors(lerp(sharp, blurred, (float3)(0.30000001192092896f + 0.69999998807907104f * k_2))), light), dot(skin_unit_vectors(lerp(sharp, blurred, (float3)k_2)), light))) + (lut.SampleLevel(lut_sampler, saturate((float2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw), 0.0f).xyz - max(blurred_cosine_0, 0.0f)));
+}
+
+float3x3 skin_classic_ambient_normals(float3 sharp, float3 blurred)
+{
+    return float3x3(blurred, skin_unit_vectors(lerp(sharp, blurred, (float3)0.30000001192092896f)), sharp);
+}
+
+float skin_classic_sharpened_shadow(float shadow_filter, float sharpening)
+{
+    return skin_smoothstep(0.89999997615814209f * sharpening * (shadow_filter - 0.5f) + 0.5f);
+}
+
+float skin_classic_deep_scatter(float thickness_mm, float n_dot_l, float radius_mm, float strength)
+{
+    return strength * skin_classic_transmittance(thickness_mm, radius_mm) * max(0.30000001192092896f - n_dot_l, 0.0f);
+}

@@ -1,0 +1,561 @@
+// The skinshade library, generated from shading/*.slang by `python -m codegen`.
+vec3 skin_saturate_0(vec3 x)
+{
+    return clamp(x, vec3(0.0), vec3(1.0));
+}
+
+const vec2  SKIN_SHADOW_DISK_48[48] = vec2[](vec2(0.08340597897768021, 0.0), vec2(-0.10671073943376541, 0.09775578230619431), vec2(0.01636306010186672, -0.1864485889673233), vec2(0.13498826324939728, 0.17606829106807709), vec2(-0.24817833304405212, -0.04389924928545952), vec2(0.2355383038520813, -0.14983019232749939), vec2(-0.07893361896276474, 0.29362913966178894), vec2(-0.15082783997058868, -0.29040983319282532), vec2(0.32788398861885071, 0.11974270641803741), vec2(-0.34179624915122986, 0.14108851552009583), vec2(0.16510665416717529, -0.35282331705093384), vec2(0.12226484715938568, 0.38979959487915039), vec2(-0.36929354071617126, -0.21401314437389374), vec2(0.4341655969619751, -0.09545008838176727), vec2(-0.2655525803565979, 0.37772122025489807), vec2(-0.06148780882358551, -0.47449716925621033), vec2(0.37834861874580383, 0.31887263059616089), vec2(-0.51034331321716309, 0.02110430039465427), vec2(0.37315717339515686, -0.37134122848510742), vec2(-0.02502750046551228, 0.54124277830123901), vec2(-0.3568427562713623, -0.42761686444282532), vec2(0.56674838066101074, 0.0762551873922348), vec2(-0.48148587346076965, 0.33500534296035767), vec2(0.13193005323410034, -0.58644229173660278), vec2(0.30600649118423462, 0.53402209281921387), vec2(-0.59994620084762573, -0.1913992166519165), vec2(0.58451014757156372, -0.27005851268768311), vec2(-0.25400349497795105, 0.60692840814590454), vec2(-0.22741274535655975, -0.63226538896560669), vec2(0.60710901021957397, 0.31907948851585388), vec2(-0.6766400933265686, 0.17836016416549683), vec2(0.38596493005752563, -0.60026413202285767), vec2(0.12322843074798584, 0.71703100204467773), vec2(-0.58622837066650391, -0.45400822162628174), vec2(0.75288873910903931, -0.06237528845667839), vec2(-0.52258288860321045, 0.56489682197570801), vec2(0.0038233099039644, -0.78373259305953979), vec2(0.53622621297836304, 0.59111112356185913), vec2(-0.80917233228683472, -0.07499390840530396), vec2(0.65910446643829346, -0.50023680925369263), vec2(-0.15080370008945465, 0.82895052433013916), vec2(-0.45701694488525391, -0.72624564170837402), vec2(0.84303575754165649, 0.23104114830493927), vec2(-0.79258495569229126, 0.40674149990081787), vec2(0.31582745909690857, -0.85189038515090942), vec2(0.34976369142532349, 0.85918575525283813), vec2(-0.85765814781188965, -0.40646019577980042), vec2(0.93254464864730835, -0.28751349449157715));
+const vec2  SKIN_SHADOW_DISK_16[16] = vec2[](vec2(0.14471825957298279, 0.0), vec2(-0.18583981692790985, 0.170244500041008), vec2(0.02860930934548378, -0.32598838210105896), vec2(0.23701368272304535, 0.30914238095283508), vec2(-0.43773865699768066, -0.07742980122566223), vec2(0.41749045252799988, -0.26557326316833496), vec2(-0.14065909385681152, 0.52324479818344116), vec2(-0.27035140991210938, -0.52054518461227417), vec2(0.59152573347091675, 0.21602423489093781), vec2(-0.6210860013961792, 0.25637525320053101), vec2(0.30247461795806885, -0.64637070894241333), vec2(0.22609943151473999, 0.72084063291549683), vec2(-0.69051814079284668, -0.40016940236091614), vec2(0.82290405035018921, -0.18091315031051636), vec2(-0.5123591423034668, 0.7287781834602356), vec2(-0.12196926772594452, -0.94122844934463501));
+float skin_saturate_1(float x)
+{
+    return clamp(x, 0.0, 1.0);
+}
+
+const vec2  SKIN_POISSON_32[32] = vec2[](vec2(-0.02096010930836201, 0.01299272011965513), vec2(0.69517123699188232, -0.04910685122013092), vec2(0.28034570813179016, 0.66283899545669556), vec2(0.03107489086687565, -0.69704329967498779), vec2(-0.49904009699821472, 0.54098159074783325), vec2(-0.70408397912979126, -0.14709833264350891), vec2(0.53451526165008545, -0.56702268123626709), vec2(-0.48678380250930786, -0.61486828327178955), vec2(0.68837428092956543, 0.41418349742889404), vec2(-0.14107078313827515, 0.8102262020111084), vec2(0.21897397935390472, -0.3123532235622406), vec2(0.31406453251838684, 0.24951401352882385), vec2(-0.83115619421005249, 0.28457203507423401), vec2(-0.40699386596679688, 0.14198443293571472), vec2(-0.10747358947992325, 0.41360348463058472), vec2(-0.19334819912910461, -0.34689420461654663), vec2(0.80768358707427979, -0.37000563740730286), vec2(0.33436411619186401, -0.82407790422439575), vec2(-0.79105347394943237, -0.45378401875495911), vec2(-0.23485180735588074, -0.86940687894821167), vec2(0.37255629897117615, -0.05855973064899445), vec2(0.5726354718208313, 0.72984015941619873), vec2(0.8966706395149231, 0.17047682404518127), vec2(-0.43273070454597473, 0.81860679388046265), vec2(0.1212853416800499, 0.92984902858734131), vec2(-0.42749753594398499, -0.15111121535301208), vec2(-0.94129812717437744, 0.00735718011856079), vec2(0.52211439609527588, -0.28702935576438904), vec2(-0.79033631086349487, 0.5402228832244873), vec2(-0.23410981893539429, -0.59940856695175171), vec2(0.28244560956954956, -0.563071608543396), vec2(0.57051312923431396, 0.18359191715717316));
+const vec2  SKIN_POISSON_8[8] = vec2[](vec2(-0.16089901328086853, -0.04573699831962585), vec2(-0.89243310689926147, 0.18877510726451874), vec2(-0.17830690741539001, 0.7200586199760437), vec2(-0.53433239459991455, -0.70478206872940063), vec2(0.22474820911884308, -0.69165337085723877), vec2(0.5559992790222168, 0.1985180526971817), vec2(0.64686292409896851, -0.3364911675453186), vec2(0.33836102485656738, 0.67131179571151733));
+vec2 skin_saturate_2(vec2 x)
+{
+    return clamp(x, vec2(0.0), vec2(1.0));
+}
+
+float skin_map_level(vec2 map_extent, vec2 uv_along_x, vec2 uv_along_y)
+{
+    vec2 texels_x_0 = uv_along_x * map_extent;
+    vec2 texels_y_0 = uv_along_y * map_extent;
+    float x_3 = dot(texels_x_0, texels_x_0);
+    float y_0 = dot(texels_y_0, texels_y_0);
+    return max(0.5 * log2(max(max(min(x_3, y_0), max(x_3, y_0) / 64.0), 1.00000000317107685e-30)), 0.0);
+}
+
+float skin_blur_level(float sigma_mm, float uv_scale_mm, float map_size, float hardware_level)
+{
+    return max(hardware_level, log2(max(2.0 * sigma_mm * map_size / uv_scale_mm, 1.0)));
+}
+
+vec3 skin_weighted_sum(mat3x3 rows, vec3 weights)
+{
+    return weights.x * rows[0] + weights.y * rows[1] + weights.z * rows[2];
+}
+
+mat3x3 skin_blend_normals(mat3x3 fetched, mat3x3 blend)
+{
+    return mat3x3(skin_weighted_sum(fetched, blend[0]), skin_weighted_sum(fetched, blend[1]), skin_weighted_sum(fetched, blend[2]));
+}
+
+float skin_safe_length(vec3 v)
+{
+    return sqrt(max(dot(v, v), 1.00000004581370497e-18));
+}
+
+vec3 skin_with_mesh_diffusion(vec3 from_texture, vec3 from_mesh, vec3 mesh_normal)
+{
+    return from_texture + skin_safe_length(from_texture) * (from_mesh - mesh_normal);
+}
+
+mat3x3 skin_add_mesh_diffusion(mat3x3 from_texture, mat3x3 from_mesh, vec3 mesh_normal)
+{
+    return mat3x3(skin_with_mesh_diffusion(from_texture[0], from_mesh[0], mesh_normal), skin_with_mesh_diffusion(from_texture[1], from_mesh[1], mesh_normal), skin_with_mesh_diffusion(from_texture[2], from_mesh[2], mesh_normal));
+}
+
+float skin_relief_bump(float m, float s)
+{
+    float _S1 = max(s, 9.99999971718068537e-10);
+    float _S2 = max(1.0 - abs(m) / (4.40000009536743164 * _S1), 0.0);
+    float t2_0 = _S2 * _S2;
+    return _S1 * t2_0 * t2_0 * (0.16452799737453461 + _S2 * (-1.55506408214569092 + _S2 * (7.10253477096557617 + _S2 * (-16.75164794921875 + _S2 * (22.75126266479492188 + _S2 * (-15.08054447174072266 + _S2 * 3.76787090301513672))))));
+}
+
+vec3 skin_lengths(mat3x3 normals)
+{
+    return vec3(skin_safe_length(normals[0]), skin_safe_length(normals[1]), skin_safe_length(normals[2]));
+}
+
+vec3 skin_cosines(mat3x3 normals, vec3 light, vec3 lengths)
+{
+    return clamp(vec3(dot(normals[0], light), dot(normals[1], light), dot(normals[2], light)) / lengths, vec3(-1.0), vec3(1.0));
+}
+
+vec3 skin_curvature_table(texture2D lut, sampler lut_sampler, vec4 lut_axes, vec3 cos_theta, float curvature_per_mm)
+{
+    float row_0 = sqrt(max(curvature_per_mm, 0.0));
+    vec2 _S3 = lut_axes.xz;
+    vec2 _S4 = lut_axes.yw;
+    return vec3((textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(cos_theta.x, row_0) - _S3) * _S4)), (0.0))).xyz.x, (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(cos_theta.y, row_0) - _S3) * _S4)), (0.0))).xyz.y, (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(cos_theta.z, row_0) - _S3) * _S4)), (0.0))).xyz.z);
+}
+
+vec3 skin_relief_light(vec3 lengths, vec3 cos_theta)
+{
+    vec3 slope_0 = sqrt(max(- log(clamp(lengths, vec3(0.00100000004749745), vec3(1.0))) * (1.0 - cos_theta * cos_theta), vec3(0.0)));
+    return vec3(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z));
+}
+
+vec3 skin_direct_scalar(texture2D lut, sampler lut_sampler, vec4 lut_axes, mat3x3 normals, vec3 light, float curvature_per_mm, vec3 gain)
+{
+    vec3 lengths_2 = skin_lengths(normals);
+    vec3 cos_theta_2 = skin_cosines(normals, light, lengths_2);
+    return gain * (lengths_2 * skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_2, abs(curvature_per_mm)) + skin_relief_light(lengths_2, cos_theta_2));
+}
+
+vec3 skin_transfer(texture2D transfer, sampler transfer_sampler, vec4 transfer_axes, float k_per_mm)
+{
+    return (textureLod(sampler2D(transfer,transfer_sampler), (skin_saturate_2((vec2(sqrt(max(k_per_mm, 0.0)), 0.5) - transfer_axes.xz) * transfer_axes.yw)), (0.0))).xyz;
+}
+
+vec3 skin_direct_tensor(texture2D lut, sampler lut_sampler, vec4 lut_axes, texture2D transfer, sampler transfer_sampler, vec4 transfer_axes, mat3x3 normals, vec3 light, float directional_per_mm, float total_per_mm, vec3 gain)
+{
+    vec3 lengths_3 = skin_lengths(normals);
+    vec3 cos_theta_3 = skin_cosines(normals, light, lengths_3);
+    return gain * (lengths_3 * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_3, directional_per_mm) * skin_transfer(transfer, transfer_sampler, transfer_axes, sqrt(max((total_per_mm - directional_per_mm) * (total_per_mm + directional_per_mm), 0.0)))) + skin_relief_light(lengths_3, cos_theta_3));
+}
+
+vec3 skin_direct_diffused_normals(texture2D lut, sampler lut_sampler, vec4 lut_axes, texture2D transfer, sampler transfer_sampler, vec4 transfer_axes, mat3x3 normals, vec3 relief_length, vec3 light, float directional_per_mm, vec3 gain)
+{
+    vec3 lengths_4 = skin_lengths(normals);
+    vec3 cos_theta_4 = skin_cosines(normals, light, lengths_4);
+    return gain * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_4, directional_per_mm) * min(lengths_4 / max(skin_transfer(transfer, transfer_sampler, transfer_axes, directional_per_mm), vec3(9.99999997475242708e-07)), vec3(1.0)) + skin_relief_light(relief_length, cos_theta_4));
+}
+
+vec3 skin_relief_length(texture2D transfer, sampler transfer_sampler, vec4 transfer_axes, mat3x3 from_texture, mat3x3 from_mesh, float total_per_mm)
+{
+    return skin_lengths(from_texture) * min(skin_lengths(from_mesh) / max(0.97500002384185791 * skin_transfer(transfer, transfer_sampler, transfer_axes, total_per_mm), vec3(9.99999997475242708e-07)), vec3(1.0));
+}
+
+vec2 skin_directional_curvature(mat3x3 tensor_world, vec3 normal, vec3 light)
+{
+    vec3 tangential_0 = light - normal * dot(light, normal);
+    vec3 change_0 = vec3(dot(tensor_world[0], tangential_0), dot(tensor_world[1], tangential_0), dot(tensor_world[2], tangential_0));
+    float total_0 = sqrt(dot(tensor_world[0], tensor_world[0]) + dot(tensor_world[1], tensor_world[1]) + dot(tensor_world[2], tensor_world[2]));
+    return vec2(min(sqrt(dot(change_0, change_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13)), total_0), total_0);
+}
+
+vec3 skin_energy_gain(vec3 albedo, vec3 rms_radius_mm, vec3 curvature_per_mm)
+{
+    vec3 scaled_curvature_0 = 1.20000004768371582 * rms_radius_mm * max(curvature_per_mm, vec3(0.0));
+    vec3 bound_0 = albedo * scaled_curvature_0;
+    return 1.0 + (1.0 - albedo) * scaled_curvature_0 / sqrt(1.0 + bound_0 * bound_0);
+}
+
+float skin_linear_depth(float depth, mat4x4 projection)
+{
+    return abs((depth * projection[3][3] - projection[2][3]) / (projection[2][2] - depth * projection[3][2]));
+}
+
+vec3 skin_inward_offset(vec3 position_mm, vec3 normal, float offset_mm)
+{
+    return position_mm - normal * offset_mm;
+}
+
+float skin_thickness(texture2D depth_map, sampler depth_map_sampler, mat4x4 projection, vec2 uv, float receiver_mm, vec2 radius_uv, int taps)
+{
+    int tap_0 = 0;
+    float total_1 = 0.0;
+    for(;;)
+    {
+        if(tap_0 < taps)
+        {
+        }
+        else
+        {
+            break;
+        }
+        vec2 offset_0;
+        if(taps == 8)
+        {
+            offset_0 = SKIN_POISSON_8[min(tap_0, 7)];
+        }
+        else
+        {
+            offset_0 = SKIN_POISSON_32[min(tap_0, 31)];
+        }
+        float total_2 = total_1 + max(receiver_mm - skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (uv + offset_0 * radius_uv), (0.0))).x, projection), 0.0);
+        tap_0 = tap_0 + 1;
+        total_1 = total_2;
+    }
+    return total_1 / float(max(taps, 1));
+}
+
+vec3 skin_transmittance(float thickness_mm, vec3 albedo, vec3 sigma_per_mm)
+{
+    vec3 a2_0 = albedo * albedo;
+    vec3 decay_0 = exp(- sigma_per_mm * thickness_mm);
+    return (1.0 - a2_0) * decay_0 / (1.0 - a2_0 * decay_0 * decay_0);
+}
+
+float skin_classic_transmittance(float thickness_mm, float radius_mm)
+{
+    float t_0 = thickness_mm / radius_mm;
+    return exp(-0.5 * t_0 * t_0);
+}
+
+vec3 skin_direct_deep_scatter(vec3 transmitted, float n_dot_l, float strength)
+{
+    return strength * transmitted * max(- n_dot_l, 0.0);
+}
+
+vec3 skin_ambient_deep_scatter(vec3 transmitted, vec3 irradiance_behind, float strength)
+{
+    return strength * transmitted * irradiance_behind;
+}
+
+float skin_smoothstep(float p)
+{
+    float q_0 = skin_saturate_1(p);
+    return q_0 * q_0 * (3.0 - 2.0 * q_0);
+}
+
+vec4 skin_light_coordinates(vec3 position_mm, mat4x4 view, mat4x4 projection)
+{
+    vec4 p_1 = vec4(position_mm, 1.0);
+    float _S5 = dot(view[2], p_1);
+    vec4 in_view_0 = vec4(dot(view[0], p_1), dot(view[1], p_1), _S5, 1.0);
+    float w_0 = dot(projection[3], in_view_0);
+    float w_1;
+    if((abs(w_0)) < 9.99999971718068537e-10)
+    {
+        w_1 = 9.99999971718068537e-10;
+    }
+    else
+    {
+        w_1 = w_0;
+    }
+    return vec4(0.5 + 0.5 * (dot(projection[0], in_view_0) / w_1), 0.5 - 0.5 * (dot(projection[1], in_view_0) / w_1), abs(_S5), w_1);
+}
+
+vec3 skin_unit_vectors(vec3 v)
+{
+    return v / skin_safe_length(v);
+}
+
+vec3 skin_shadow_receiver(vec3 position_mm, vec3 normal, vec3 to_light, float curvature_per_mm)
+{
+    float cosine_0 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * cosine_0) * min(max(- cosine_0, 0.0) / max(curvature_per_mm, 0.00100000004749745), 8.0);
+}
+
+vec2 skin_shadow_slope(vec3 normal, vec3 to_light, float curvature_per_mm, vec3 light_right, vec3 light_up)
+{
+    vec3 plane_normal_0 = skin_unit_vectors(normal + to_light * max(- dot(normal, to_light), 0.0));
+    vec3 axis_0 = cross(light_right, light_up);
+    float handedness_0;
+    if((dot(to_light, axis_0)) < 0.0)
+    {
+        handedness_0 = -1.0;
+    }
+    else
+    {
+        handedness_0 = 1.0;
+    }
+    vec2 slope_1 = vec2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745);
+    return slope_1 / max(length(slope_1) / (1.0 + 7.0 * skin_saturate_1(1.0 + curvature_per_mm / 0.03999999910593033)), 1.0);
+}
+
+float skin_shadow_occluder_depth(float depth_mm, float faces_light)
+{
+    return depth_mm + 4.0 * faces_light;
+}
+
+float skin_shadow_compare(texture2D depth_map, sampler depth_map_sampler, vec2 map_extent, mat4x4 projection, vec2 uv, float receiver_mm)
+{
+    vec2 position_0 = uv * map_extent - 0.5;
+    vec2 corner_0 = floor(position_0);
+    vec2 weights_1 = position_0 - corner_0;
+    const vec2 _S6 = vec2(0.0);
+    vec2 _S7 = map_extent - 1.0;
+    vec2 low_0 = (clamp(corner_0, _S6, _S7) + 0.5) / map_extent;
+    vec2 high_0 = (clamp(corner_0 + 1.0, _S6, _S7) + 0.5) / map_extent;
+    vec4 lit_0 = step(vec4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), vec4(skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (low_0), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (vec2(high_0.x, low_0.y)), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (vec2(low_0.x, high_0.y)), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (high_0), (0.0))).x, projection)));
+    vec2 rows_1 = mix(lit_0.xz, lit_0.yw, vec2(weights_1.x));
+    return mix(rows_1.x, rows_1.y, weights_1.y);
+}
+
+float skin_shadow_filter(texture2D depth_map, sampler depth_map_sampler, vec2 map_extent, mat4x4 view, mat4x4 projection, vec3 position_mm, vec3 normal, vec3 to_light, float curvature_per_mm, float filter_width_mm, float bias_mm, int taps)
+{
+    vec4 coordinates_0 = skin_light_coordinates(skin_shadow_receiver(position_mm, normal, to_light, curvature_per_mm), view, projection);
+    vec2 _S8 = skin_shadow_slope(normal, to_light, curvature_per_mm, view[0].xyz, view[1].xyz);
+    vec2 _S9 = 0.5 * vec2(abs(projection[0].x), abs(projection[1].y)) / abs(coordinates_0.w);
+    int tap_1 = 0;
+    float total_3 = 0.0;
+    for(;;)
+    {
+        if(tap_1 < taps)
+        {
+        }
+        else
+        {
+            break;
+        }
+        vec2 disk_0;
+        if(taps == 16)
+        {
+            disk_0 = SKIN_SHADOW_DISK_16[min(tap_1, 15)];
+        }
+        else
+        {
+            disk_0 = SKIN_SHADOW_DISK_48[min(tap_1, 47)];
+        }
+        vec2 across_mm_0 = 0.5 * filter_width_mm * disk_0;
+        float total_4 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S9, coordinates_0.z - bias_mm + dot(_S8, across_mm_0));
+        tap_1 = tap_1 + 1;
+        total_3 = total_4;
+    }
+    return total_3 / float(max(taps, 1));
+}
+
+vec3 skin_diffused_shadow(texture2D lut, sampler lut_sampler, vec4 lut_axes, float shadow_filter, float n_dot_l, float filter_width_mm)
+{
+    return (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(shadow_filter, max(n_dot_l, 0.05000000074505806) / filter_width_mm) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz;
+}
+
+float skin_sharpened_shadow(float shadow_filter, float sharpening)
+{
+    return skin_smoothstep((0.5 - sin(asin(1.0 - 2.0 * skin_saturate_1(shadow_filter)) / 3.0) - 0.5) * sharpening + 0.5);
+}
+
+float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
+{
+    float _S10 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258);
+    float _S11 = max(depth_mm - mean_depth_mm, 0.0);
+    return _S10 / (_S10 + _S11 * _S11);
+}
+
+vec3 skin_sh_bands(mat3x3 sh, vec3 d)
+{
+    float _S12 = d.y;
+    float _S13 = d.z;
+    float _S14 = d.x;
+    return vec3(0.282094806432724 * sh[0].x, 0.48860251903533936 * (sh[0].y * _S12 + sh[0].z * _S13 + sh[1].x * _S14), 1.09254848957061768 * (sh[1].y * _S14 * _S12 + sh[1].z * _S12 * _S13 + sh[2].y * _S14 * _S13) + 0.31539157032966614 * sh[2].x * (3.0 * _S13 * _S13 - dot(d, d)) + 0.54627424478530884 * sh[2].z * (_S14 * _S14 - _S12 * _S12));
+}
+
+float skin_ambient_channel(mat3x3 sh, vec3 normal, vec3 band_transfer)
+{
+    return max(dot(skin_sh_bands(sh, normal), vec3(1.0, 1.0, skin_safe_length(normal)) * band_transfer * vec3(1.0, 0.66666668653488159, 0.25)), 0.0);
+}
+
+vec3 skin_ambient_irradiance(mat3x3 radiance_sh_red, mat3x3 radiance_sh_green, mat3x3 radiance_sh_blue, mat3x3 normals, mat3x3 band_transfer)
+{
+    mat3x3 t_1 = transpose(band_transfer);
+    return vec3(skin_ambient_channel(radiance_sh_red, normals[0], t_1[0]), skin_ambient_channel(radiance_sh_green, normals[1], t_1[1]), skin_ambient_channel(radiance_sh_blue, normals[2], t_1[2]));
+}
+
+mat3x3 skin_ambient_normals(mat3x3 normals)
+{
+    return mat3x3(skin_unit_vectors(normals[0]), skin_unit_vectors(normals[1]), skin_unit_vectors(normals[2]));
+}
+
+vec3 skin_ambient_of_three(vec3 red, vec3 green, vec3 blue)
+{
+    return vec3(red.x, green.y, blue.z);
+}
+
+vec3 skin_bounced_visibility(vec3 visibility, vec3 albedo)
+{
+    return max(visibility, ((visibility * (2.04040002822875977 * albedo - 0.33239999413490295) + (-4.79510021209716797 * albedo + 0.64170002937316895)) * visibility + (2.75519990921020508 * albedo + 0.69029998779296875)) * visibility);
+}
+
+float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
+{
+    float exponent_0 = (exp2((-16.0 * roughness - 1.0)));
+    float base_0 = n_dot_v + visibility;
+    float power_0;
+    if(base_0 > 0.0)
+    {
+        power_0 = pow(base_0, exponent_0);
+    }
+    else
+    {
+        power_0 = 0.0;
+    }
+    return skin_saturate_1(power_0 - 1.0 + visibility);
+}
+
+float skin_specular_power(float gloss)
+{
+    return (exp2((13.0 * gloss)));
+}
+
+float skin_gloss_of_relief(float gloss, float normal_length)
+{
+    float clamped_length_0 = clamp(normal_length, 0.00100000004749745, 1.0);
+    float power_1 = skin_specular_power(gloss);
+    return log2(max(clamped_length_0 * power_1 / (clamped_length_0 + power_1 * (1.0 - clamped_length_0)), 1.0)) / 13.0;
+}
+
+float skin_gloss_from_roughness(float roughness)
+{
+    float _S15 = max(roughness, 0.00100000004749745);
+    float r2_0 = _S15 * _S15;
+    return clamp(log2(max(2.0 / (r2_0 * r2_0) - 2.0, 1.0)) / 13.0, 0.0, 1.0);
+}
+
+float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
+{
+    float k_0 = (inversesqrt((3.14159274101257324 * power / 4.0 + 1.57079637050628662)));
+    float _S16 = 1.0 - k_0;
+    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S16 * n_dot_l) * (k_0 + _S16 * n_dot_v)));
+}
+
+float skin_specular(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
+{
+    vec3 half_vector_0 = skin_unit_vectors(view + light);
+    float n_dot_l_3 = skin_saturate_1(dot(normal, light));
+    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379, 1.0);
+    float n_dot_h_1 = skin_saturate_1(dot(normal, half_vector_0));
+    float wide_0 = skin_specular_power(gloss);
+    float grazing_0 = 1.0 - skin_saturate_1(dot(view, half_vector_0));
+    float grazing2_0 = grazing_0 * grazing_0;
+    return 3.14159274101257324 * (0.94999998807907104 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0))) * (reflectance + (1.0 - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+}
+
+vec3 skin_reflected(vec3 normal, vec3 view)
+{
+    return 2.0 * dot(normal, view) * normal - view;
+}
+
+float skin_ambient_specular_fresnel(float n_dot_v, float gloss, float reflectance)
+{
+    float grazing_1 = 1.0 - skin_saturate_1(n_dot_v);
+    float grazing2_1 = grazing_1 * grazing_1;
+    return reflectance + (1.0 - reflectance) * grazing2_1 * grazing2_1 * grazing_1 / (4.0 - 3.0 * gloss);
+}
+
+float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
+{
+    return 1.0 - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
+}
+
+float skin_turns(float y, float x)
+{
+    vec2 size_0 = abs(vec2(x, y));
+    float _S17 = size_0.x;
+    float _S18 = size_0.y;
+    float r_0 = min(_S17, _S18) / max(max(_S17, _S18), 1.00000000317107685e-30);
+    float r2_1 = r_0 * r_0;
+    float turns_0 = r_0 * (0.15915107727050781 + r2_1 * (-0.05293257534503937 + r2_1 * (0.03076364658772945 + r2_1 * (-0.01842727139592171 + r2_1 * (0.00826387945562601 - r2_1 * 0.00181874714326113)))));
+    float turns_1;
+    if(_S18 > _S17)
+    {
+        turns_1 = 0.25 - turns_0;
+    }
+    else
+    {
+        turns_1 = turns_0;
+    }
+    if(x < 0.0)
+    {
+        turns_1 = 0.5 - turns_1;
+    }
+    else
+    {
+    }
+    if(y < 0.0)
+    {
+        turns_1 = - turns_1;
+    }
+    else
+    {
+    }
+    return turns_1;
+}
+
+vec2 skin_equirectangular_uv(vec3 direction)
+{
+    float _S19 = direction.x;
+    float _S20 = direction.z;
+    return vec2(0.5 + skin_turns(_S20, _S19), 2.0 * skin_turns(sqrt(_S19 * _S19 + _S20 * _S20), direction.y));
+}
+
+float skin_reflection_level(float power)
+{
+    return clamp(0.5 * log2(max(power, 1.0)), 0.0, 4.0);
+}
+
+vec3 skin_preconvolved(texture2D preconvolved, sampler preconvolved_sampler, vec2 uv, float power)
+{
+    float level_0 = skin_reflection_level(power);
+    float _S21 = min(floor(level_0), 3.0);
+    float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
+    float _S22 = uv.x;
+    return mix((textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S22, (_S21 + row_1) / 5.0)), (0.0))).xyz, (textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S22, (_S21 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S21));
+}
+
+vec3 skin_reflected_radiance(texture2D preconvolved, sampler preconvolved_sampler, vec3 direction, float gloss)
+{
+    vec2 uv_3 = skin_equirectangular_uv(direction);
+    float power_5 = skin_specular_power(gloss);
+    return mix(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0), vec3(0.05000000074505806));
+}
+
+vec3 skin_filmic(vec3 light)
+{
+    vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
+    vec3 _S23 = 6.19999980926513672 * x_5;
+    return x_5 * (_S23 + 0.5) / (x_5 * (_S23 + 1.70000004768371582) + 0.05999999865889549);
+}
+
+float skin_srgb_curve(float x)
+{
+    float _S24;
+    if(x <= 0.00313080009073019)
+    {
+        _S24 = 12.92000007629394531 * x;
+    }
+    else
+    {
+        _S24 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+    }
+    return _S24;
+}
+
+vec3 skin_srgb_from_linear(vec3 light)
+{
+    vec3 x_7 = skin_saturate_0(light);
+    return vec3(skin_srgb_curve(x_7.x), skin_srgb_curve(x_7.y), skin_srgb_curve(x_7.z));
+}
+
+float skin_linear_curve(float x)
+{
+    float _S25;
+    if(x <= 0.04044999927282333)
+    {
+        _S25 = x / 12.92000007629394531;
+    }
+    else
+    {
+        _S25 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+    }
+    return _S25;
+}
+
+vec3 skin_linear_from_srgb(vec3 display)
+{
+    vec3 x_9 = skin_saturate_0(display);
+    return vec3(skin_linear_curve(x_9.x), skin_linear_curve(x_9.y), skin_linear_curve(x_9.z));
+}
+
+float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size, float hardware_level)
+{
+    return max(hardware_level, log2(max(map_size * radius_mm, uv_scale_mm) / uv_scale_mm));
+}
+
+vec3 skin_classic_direct(texture2D lut, sampler lut_sampler, vec4 lut_axes, vec3 sharp, vec3 blurred, vec3 light, float curvature_per_mm)
+{
+    float blurred_cosine_0 = dot(blurred, light);
+    float k_1 = skin_saturate_1(1.0 - blurred_cosine_0);
+    float k_2 = k_1 * k_1;
+    return skin_saturate_0(skin_saturate_0(vec3(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp, blurred, vec3(0.30000001192092896 + 0.69999998807907104 * k_2))), light), dot(skin_unit_vectors(mix(sharp, blurred, vec3(k_2))), light))) + ((textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz - max(blurred_cosine_0, 0.0)));
+}
+
+mat3x3 skin_classic_ambient_normals(vec3 sharp, vec3 blurred)
+{
+    return mat3x3(blurred, skin_unit_vectors(mix(sharp, blurred, vec3(0.30000001192092896))), sharp);
+}
+
+float skin_classic_sharpened_shadow(float shadow_filter, float sharpening)
+{
+    return skin_smoothstep(0.89999997615814209 * sharpening * (shadow_filter - 0.5) + 0.5);
+}
+
+float skin_classic_deep_scatter(float thickness_mm, float n_dot_l, float radius_mm, float strength)
+{
+    return strength * skin_classic_transmittance(thickness_mm, radius_mm) * max(0.30000001192092896 - n_dot_l, 0.0);
+}

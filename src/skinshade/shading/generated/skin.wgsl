@@ -1,0 +1,550 @@
+// The skinshade library, generated from shading/*.slang by `python -m codegen`.
+fn skin_rsqrt_0(x : f32) -> f32
+{
+    return 1.0f / sqrt(x);
+}
+
+var<private> SKIN_SHADOW_DISK_48 : array<vec2<f32>, i32(48)> = array<vec2<f32>, i32(48)>( vec2<f32>(0.08340597897768021f, 0.0f), vec2<f32>(-0.10671073943376541f, 0.09775578230619431f), vec2<f32>(0.01636306010186672f, -0.1864485889673233f), vec2<f32>(0.13498826324939728f, 0.17606829106807709f), vec2<f32>(-0.24817833304405212f, -0.04389924928545952f), vec2<f32>(0.2355383038520813f, -0.14983019232749939f), vec2<f32>(-0.07893361896276474f, 0.29362913966178894f), vec2<f32>(-0.15082783997058868f, -0.29040983319282532f), vec2<f32>(0.32788398861885071f, 0.11974270641803741f), vec2<f32>(-0.34179624915122986f, 0.14108851552009583f), vec2<f32>(0.16510665416717529f, -0.35282331705093384f), vec2<f32>(0.12226484715938568f, 0.38979959487915039f), vec2<f32>(-0.36929354071617126f, -0.21401314437389374f), vec2<f32>(0.4341655969619751f, -0.09545008838176727f), vec2<f32>(-0.2655525803565979f, 0.37772122025489807f), vec2<f32>(-0.06148780882358551f, -0.47449716925621033f), vec2<f32>(0.37834861874580383f, 0.31887263059616089f), vec2<f32>(-0.51034331321716309f, 0.02110430039465427f), vec2<f32>(0.37315717339515686f, -0.37134122848510742f), vec2<f32>(-0.02502750046551228f, 0.54124277830123901f), vec2<f32>(-0.3568427562713623f, -0.42761686444282532f), vec2<f32>(0.56674838066101074f, 0.0762551873922348f), vec2<f32>(-0.48148587346076965f, 0.33500534296035767f), vec2<f32>(0.13193005323410034f, -0.58644229173660278f), vec2<f32>(0.30600649118423462f, 0.53402209281921387f), vec2<f32>(-0.59994620084762573f, -0.1913992166519165f), vec2<f32>(0.58451014757156372f, -0.27005851268768311f), vec2<f32>(-0.25400349497795105f, 0.60692840814590454f), vec2<f32>(-0.22741274535655975f, -0.63226538896560669f), vec2<f32>(0.60710901021957397f, 0.31907948851585388f), vec2<f32>(-0.6766400933265686f, 0.17836016416549683f), vec2<f32>(0.38596493005752563f, -0.60026413202285767f), vec2<f32>(0.12322843074798584f, 0.71703100204467773f), vec2<f32>(-0.58622837066650391f, -0.45400822162628174f), vec2<f32>(0.75288873910903931f, -0.06237528845667839f), vec2<f32>(-0.52258288860321045f, 0.56489682197570801f), vec2<f32>(0.0038233099039644f, -0.78373259305953979f), vec2<f32>(0.53622621297836304f, 0.59111112356185913f), vec2<f32>(-0.80917233228683472f, -0.07499390840530396f), vec2<f32>(0.65910446643829346f, -0.50023680925369263f), vec2<f32>(-0.15080370008945465f, 0.82895052433013916f), vec2<f32>(-0.45701694488525391f, -0.72624564170837402f), vec2<f32>(0.84303575754165649f, 0.23104114830493927f), vec2<f32>(-0.79258495569229126f, 0.40674149990081787f), vec2<f32>(0.31582745909690857f, -0.85189038515090942f), vec2<f32>(0.34976369142532349f, 0.85918575525283813f), vec2<f32>(-0.85765814781188965f, -0.40646019577980042f), vec2<f32>(0.93254464864730835f, -0.28751349449157715f) );
+var<private> SKIN_SHADOW_DISK_16 : array<vec2<f32>, i32(16)> = array<vec2<f32>, i32(16)>( vec2<f32>(0.14471825957298279f, 0.0f), vec2<f32>(-0.18583981692790985f, 0.170244500041008f), vec2<f32>(0.02860930934548378f, -0.32598838210105896f), vec2<f32>(0.23701368272304535f, 0.30914238095283508f), vec2<f32>(-0.43773865699768066f, -0.07742980122566223f), vec2<f32>(0.41749045252799988f, -0.26557326316833496f), vec2<f32>(-0.14065909385681152f, 0.52324479818344116f), vec2<f32>(-0.27035140991210938f, -0.52054518461227417f), vec2<f32>(0.59152573347091675f, 0.21602423489093781f), vec2<f32>(-0.6210860013961792f, 0.25637525320053101f), vec2<f32>(0.30247461795806885f, -0.64637070894241333f), vec2<f32>(0.22609943151473999f, 0.72084063291549683f), vec2<f32>(-0.69051814079284668f, -0.40016940236091614f), vec2<f32>(0.82290405035018921f, -0.18091315031051636f), vec2<f32>(-0.5123591423034668f, 0.7287781834602356f), vec2<f32>(-0.12196926772594452f, -0.94122844934463501f) );
+var<private> SKIN_POISSON_32 : array<vec2<f32>, i32(32)> = array<vec2<f32>, i32(32)>( vec2<f32>(-0.02096010930836201f, 0.01299272011965513f), vec2<f32>(0.69517123699188232f, -0.04910685122013092f), vec2<f32>(0.28034570813179016f, 0.66283899545669556f), vec2<f32>(0.03107489086687565f, -0.69704329967498779f), vec2<f32>(-0.49904009699821472f, 0.54098159074783325f), vec2<f32>(-0.70408397912979126f, -0.14709833264350891f), vec2<f32>(0.53451526165008545f, -0.56702268123626709f), vec2<f32>(-0.48678380250930786f, -0.61486828327178955f), vec2<f32>(0.68837428092956543f, 0.41418349742889404f), vec2<f32>(-0.14107078313827515f, 0.8102262020111084f), vec2<f32>(0.21897397935390472f, -0.3123532235622406f), vec2<f32>(0.31406453251838684f, 0.24951401352882385f), vec2<f32>(-0.83115619421005249f, 0.28457203507423401f), vec2<f32>(-0.40699386596679688f, 0.14198443293571472f), vec2<f32>(-0.10747358947992325f, 0.41360348463058472f), vec2<f32>(-0.19334819912910461f, -0.34689420461654663f), vec2<f32>(0.80768358707427979f, -0.37000563740730286f), vec2<f32>(0.33436411619186401f, -0.82407790422439575f), vec2<f32>(-0.79105347394943237f, -0.45378401875495911f), vec2<f32>(-0.23485180735588074f, -0.86940687894821167f), vec2<f32>(0.37255629897117615f, -0.05855973064899445f), vec2<f32>(0.5726354718208313f, 0.72984015941619873f), vec2<f32>(0.8966706395149231f, 0.17047682404518127f), vec2<f32>(-0.43273070454597473f, 0.81860679388046265f), vec2<f32>(0.1212853416800499f, 0.92984902858734131f), vec2<f32>(-0.42749753594398499f, -0.15111121535301208f), vec2<f32>(-0.94129812717437744f, 0.00735718011856079f), vec2<f32>(0.52211439609527588f, -0.28702935576438904f), vec2<f32>(-0.79033631086349487f, 0.5402228832244873f), vec2<f32>(-0.23410981893539429f, -0.59940856695175171f), vec2<f32>(0.28244560956954956f, -0.563071608543396f), vec2<f32>(0.57051312923431396f, 0.18359191715717316f) );
+var<private> SKIN_POISSON_8 : array<vec2<f32>, i32(8)> = array<vec2<f32>, i32(8)>( vec2<f32>(-0.16089901328086853f, -0.04573699831962585f), vec2<f32>(-0.89243310689926147f, 0.18877510726451874f), vec2<f32>(-0.17830690741539001f, 0.7200586199760437f), vec2<f32>(-0.53433239459991455f, -0.70478206872940063f), vec2<f32>(0.22474820911884308f, -0.69165337085723877f), vec2<f32>(0.5559992790222168f, 0.1985180526971817f), vec2<f32>(0.64686292409896851f, -0.3364911675453186f), vec2<f32>(0.33836102485656738f, 0.67131179571151733f) );
+
+fn skin_map_level(map_extent : vec2<f32>, uv_along_x : vec2<f32>, uv_along_y : vec2<f32>) -> f32
+{
+    var texels_x_0 : vec2<f32> = uv_along_x * map_extent;
+    var texels_y_0 : vec2<f32> = uv_along_y * map_extent;
+    var x_1 : f32 = dot(texels_x_0, texels_x_0);
+    var y_0 : f32 = dot(texels_y_0, texels_y_0);
+    return max(0.5f * log2(max(max(min(x_1, y_0), max(x_1, y_0) / 64.0f), 1.00000000317107685e-30f)), 0.0f);
+}
+
+fn skin_blur_level(sigma_mm : f32, uv_scale_mm : f32, map_size : f32, hardware_level : f32) -> f32
+{
+    return max(hardware_level, log2(max(2.0f * sigma_mm * map_size / uv_scale_mm, 1.0f)));
+}
+
+fn skin_weighted_sum(rows : mat3x3<f32>, weights : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(weights.x) * rows[i32(0)] + vec3<f32>(weights.y) * rows[i32(1)] + vec3<f32>(weights.z) * rows[i32(2)];
+}
+
+fn skin_blend_normals(fetched : mat3x3<f32>, blend : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_weighted_sum(fetched, blend[i32(0)]), skin_weighted_sum(fetched, blend[i32(1)]), skin_weighted_sum(fetched, blend[i32(2)]));
+}
+
+fn skin_safe_length(v : vec3<f32>) -> f32
+{
+    return sqrt(max(dot(v, v), 1.00000004581370497e-18f));
+}
+
+fn skin_with_mesh_diffusion(from_texture : vec3<f32>, from_mesh : vec3<f32>, mesh_normal : vec3<f32>) -> vec3<f32>
+{
+    return from_texture + vec3<f32>(skin_safe_length(from_texture)) * (from_mesh - mesh_normal);
+}
+
+fn skin_add_mesh_diffusion(from_texture : mat3x3<f32>, from_mesh : mat3x3<f32>, mesh_normal : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_with_mesh_diffusion(from_texture[i32(0)], from_mesh[i32(0)], mesh_normal), skin_with_mesh_diffusion(from_texture[i32(1)], from_mesh[i32(1)], mesh_normal), skin_with_mesh_diffusion(from_texture[i32(2)], from_mesh[i32(2)], mesh_normal));
+}
+
+fn skin_relief_bump(m : f32, s : f32) -> f32
+{
+    var _S1 : f32 = max(s, 9.99999971718068537e-10f);
+    var _S2 : f32 = max(1.0f - abs(m) / (4.40000009536743164f * _S1), 0.0f);
+    var t2_0 : f32 = _S2 * _S2;
+    return _S1 * t2_0 * t2_0 * (0.16452799737453461f + _S2 * (-1.55506408214569092f + _S2 * (7.10253477096557617f + _S2 * (-16.75164794921875f + _S2 * (22.75126266479492188f + _S2 * (-15.08054447174072266f + _S2 * 3.76787090301513672f))))));
+}
+
+fn skin_lengths(normals : mat3x3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(skin_safe_length(normals[i32(0)]), skin_safe_length(normals[i32(1)]), skin_safe_length(normals[i32(2)]));
+}
+
+fn skin_cosines(normals : mat3x3<f32>, light : vec3<f32>, lengths : vec3<f32>) -> vec3<f32>
+{
+    return clamp(vec3<f32>(dot(normals[i32(0)], light), dot(normals[i32(1)], light), dot(normals[i32(2)], light)) / lengths, vec3<f32>(-1.0f), vec3<f32>(1.0f));
+}
+
+fn skin_curvature_table(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, cos_theta : vec3<f32>, curvature_per_mm : f32) -> vec3<f32>
+{
+    var row_0 : f32 = sqrt(max(curvature_per_mm, 0.0f));
+    var _S3 : vec2<f32> = lut_axes.xz;
+    var _S4 : vec2<f32> = lut_axes.yw;
+    return vec3<f32>((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(cos_theta.x, row_0) - _S3) * _S4)), (0.0f))).xyz.x, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(cos_theta.y, row_0) - _S3) * _S4)), (0.0f))).xyz.y, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(cos_theta.z, row_0) - _S3) * _S4)), (0.0f))).xyz.z);
+}
+
+fn skin_relief_light(lengths : vec3<f32>, cos_theta : vec3<f32>) -> vec3<f32>
+{
+    var slope_0 : vec3<f32> = sqrt(max((vec3<f32>(0) - log(clamp(lengths, vec3<f32>(0.00100000004749745f), vec3<f32>(1.0f)))) * (vec3<f32>(1.0f) - cos_theta * cos_theta), vec3<f32>(0.0f)));
+    return vec3<f32>(skin_relief_bump(lengths.x * cos_theta.x, slope_0.x), skin_relief_bump(lengths.y * cos_theta.y, slope_0.y), skin_relief_bump(lengths.z * cos_theta.z, slope_0.z));
+}
+
+fn skin_direct_scalar(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, normals : mat3x3<f32>, light : vec3<f32>, curvature_per_mm : f32, gain : vec3<f32>) -> vec3<f32>
+{
+    var lengths_2 : vec3<f32> = skin_lengths(normals);
+    var cos_theta_2 : vec3<f32> = skin_cosines(normals, light, lengths_2);
+    return gain * (lengths_2 * skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_2, abs(curvature_per_mm)) + skin_relief_light(lengths_2, cos_theta_2));
+}
+
+fn skin_transfer(transfer : texture_2d<f32>, transfer_sampler : sampler, transfer_axes : vec4<f32>, k_per_mm : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((transfer), (transfer_sampler), (saturate((vec2<f32>(sqrt(max(k_per_mm, 0.0f)), 0.5f) - transfer_axes.xz) * transfer_axes.yw)), (0.0f))).xyz;
+}
+
+fn skin_direct_tensor(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, transfer : texture_2d<f32>, transfer_sampler : sampler, transfer_axes : vec4<f32>, normals : mat3x3<f32>, light : vec3<f32>, directional_per_mm : f32, total_per_mm : f32, gain : vec3<f32>) -> vec3<f32>
+{
+    var lengths_3 : vec3<f32> = skin_lengths(normals);
+    var cos_theta_3 : vec3<f32> = skin_cosines(normals, light, lengths_3);
+    return gain * (lengths_3 * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_3, directional_per_mm) * skin_transfer(transfer, transfer_sampler, transfer_axes, sqrt(max((total_per_mm - directional_per_mm) * (total_per_mm + directional_per_mm), 0.0f)))) + skin_relief_light(lengths_3, cos_theta_3));
+}
+
+fn skin_direct_diffused_normals(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, transfer : texture_2d<f32>, transfer_sampler : sampler, transfer_axes : vec4<f32>, normals : mat3x3<f32>, relief_length : vec3<f32>, light : vec3<f32>, directional_per_mm : f32, gain : vec3<f32>) -> vec3<f32>
+{
+    var lengths_4 : vec3<f32> = skin_lengths(normals);
+    var cos_theta_4 : vec3<f32> = skin_cosines(normals, light, lengths_4);
+    return gain * (skin_curvature_table(lut, lut_sampler, lut_axes, cos_theta_4, directional_per_mm) * min(lengths_4 / max(skin_transfer(transfer, transfer_sampler, transfer_axes, directional_per_mm), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_relief_light(relief_length, cos_theta_4));
+}
+
+fn skin_relief_length(transfer : texture_2d<f32>, transfer_sampler : sampler, transfer_axes : vec4<f32>, from_texture : mat3x3<f32>, from_mesh : mat3x3<f32>, total_per_mm : f32) -> vec3<f32>
+{
+    return skin_lengths(from_texture) * min(skin_lengths(from_mesh) / max(vec3<f32>(0.97500002384185791f) * skin_transfer(transfer, transfer_sampler, transfer_axes, total_per_mm), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f));
+}
+
+fn skin_directional_curvature(tensor_world : mat3x3<f32>, normal : vec3<f32>, light : vec3<f32>) -> vec2<f32>
+{
+    var tangential_0 : vec3<f32> = light - normal * vec3<f32>(dot(light, normal));
+    var change_0 : vec3<f32> = vec3<f32>(dot(tensor_world[i32(0)], tangential_0), dot(tensor_world[i32(1)], tangential_0), dot(tensor_world[i32(2)], tangential_0));
+    var total_0 : f32 = sqrt(dot(tensor_world[i32(0)], tensor_world[i32(0)]) + dot(tensor_world[i32(1)], tensor_world[i32(1)]) + dot(tensor_world[i32(2)], tensor_world[i32(2)]));
+    return vec2<f32>(min(sqrt(dot(change_0, change_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_0), total_0);
+}
+
+fn skin_energy_gain(albedo : vec3<f32>, rms_radius_mm : vec3<f32>, curvature_per_mm : vec3<f32>) -> vec3<f32>
+{
+    var scaled_curvature_0 : vec3<f32> = vec3<f32>(1.20000004768371582f) * rms_radius_mm * max(curvature_per_mm, vec3<f32>(0.0f));
+    var bound_0 : vec3<f32> = albedo * scaled_curvature_0;
+    var _S5 : vec3<f32> = vec3<f32>(1.0f);
+    return _S5 + (_S5 - albedo) * scaled_curvature_0 / sqrt(_S5 + bound_0 * bound_0);
+}
+
+fn skin_linear_depth(depth : f32, projection : mat4x4<f32>) -> f32
+{
+    return abs((depth * projection[i32(3)][i32(3)] - projection[i32(2)][i32(3)]) / (projection[i32(2)][i32(2)] - depth * projection[i32(3)][i32(2)]));
+}
+
+fn skin_inward_offset(position_mm : vec3<f32>, normal : vec3<f32>, offset_mm : f32) -> vec3<f32>
+{
+    return position_mm - normal * vec3<f32>(offset_mm);
+}
+
+fn skin_thickness(depth_map : texture_2d<f32>, depth_map_sampler : sampler, projection : mat4x4<f32>, uv : vec2<f32>, receiver_mm : f32, radius_uv : vec2<f32>, taps : i32) -> f32
+{
+    var tap_0 : i32 = i32(0);
+    var total_1 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_0 < taps)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var offset_0 : vec2<f32>;
+        if(taps == i32(8))
+        {
+            offset_0 = SKIN_POISSON_8[min(tap_0, i32(7))];
+        }
+        else
+        {
+            offset_0 = SKIN_POISSON_32[min(tap_0, i32(31))];
+        }
+        var total_2 : f32 = total_1 + max(receiver_mm - skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (uv + offset_0 * radius_uv), (0.0f))).x, projection), 0.0f);
+        tap_0 = tap_0 + i32(1);
+        total_1 = total_2;
+    }
+    return total_1 / f32(max(taps, i32(1)));
+}
+
+fn skin_transmittance(thickness_mm : f32, albedo : vec3<f32>, sigma_per_mm : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo * albedo;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm) * vec3<f32>(thickness_mm));
+    var _S6 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S6 - a2_0) * decay_0 / (_S6 - a2_0 * decay_0 * decay_0);
+}
+
+fn skin_classic_transmittance(thickness_mm : f32, radius_mm : f32) -> f32
+{
+    var t_0 : f32 = thickness_mm / radius_mm;
+    return exp(-0.5f * t_0 * t_0);
+}
+
+fn skin_direct_deep_scatter(transmitted : vec3<f32>, n_dot_l : f32, strength : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength) * transmitted * vec3<f32>(max(- n_dot_l, 0.0f));
+}
+
+fn skin_ambient_deep_scatter(transmitted : vec3<f32>, irradiance_behind : vec3<f32>, strength : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength) * transmitted * irradiance_behind;
+}
+
+fn skin_smoothstep(p : f32) -> f32
+{
+    var q_0 : f32 = saturate(p);
+    return q_0 * q_0 * (3.0f - 2.0f * q_0);
+}
+
+fn skin_light_coordinates(position_mm : vec3<f32>, view : mat4x4<f32>, projection : mat4x4<f32>) -> vec4<f32>
+{
+    var p_1 : vec4<f32> = vec4<f32>(position_mm, 1.0f);
+    var _S7 : f32 = dot(view[i32(2)], p_1);
+    var in_view_0 : vec4<f32> = vec4<f32>(dot(view[i32(0)], p_1), dot(view[i32(1)], p_1), _S7, 1.0f);
+    var w_0 : f32 = dot(projection[i32(3)], in_view_0);
+    var w_1 : f32;
+    if((abs(w_0)) < 9.99999971718068537e-10f)
+    {
+        w_1 = 9.99999971718068537e-10f;
+    }
+    else
+    {
+        w_1 = w_0;
+    }
+    return vec4<f32>(0.5f + 0.5f * (dot(projection[i32(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection[i32(1)], in_view_0) / w_1), abs(_S7), w_1);
+}
+
+fn skin_unit_vectors(v : vec3<f32>) -> vec3<f32>
+{
+    return v / vec3<f32>(skin_safe_length(v));
+}
+
+fn skin_shadow_receiver(position_mm : vec3<f32>, normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32) -> vec3<f32>
+{
+    var cosine_0 : f32 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * vec3<f32>(cosine_0)) * vec3<f32>(min(max(- cosine_0, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f));
+}
+
+fn skin_shadow_slope(normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32, light_right : vec3<f32>, light_up : vec3<f32>) -> vec2<f32>
+{
+    var plane_normal_0 : vec3<f32> = skin_unit_vectors(normal + to_light * vec3<f32>(max(- dot(normal, to_light), 0.0f)));
+    var axis_0 : vec3<f32> = cross(light_right, light_up);
+    var handedness_0 : f32;
+    if((dot(to_light, axis_0)) < 0.0f)
+    {
+        handedness_0 = -1.0f;
+    }
+    else
+    {
+        handedness_0 = 1.0f;
+    }
+    var slope_1 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return slope_1 / vec2<f32>(max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f));
+}
+
+fn skin_shadow_occluder_depth(depth_mm : f32, faces_light : f32) -> f32
+{
+    return depth_mm + 4.0f * faces_light;
+}
+
+fn skin_shadow_compare(depth_map : texture_2d<f32>, depth_map_sampler : sampler, map_extent : vec2<f32>, projection : mat4x4<f32>, uv : vec2<f32>, receiver_mm : f32) -> f32
+{
+    var _S8 : vec2<f32> = vec2<f32>(0.5f);
+    var position_0 : vec2<f32> = uv * map_extent - _S8;
+    var corner_0 : vec2<f32> = floor(position_0);
+    var weights_1 : vec2<f32> = position_0 - corner_0;
+    var _S9 : vec2<f32> = vec2<f32>(0.0f);
+    var _S10 : vec2<f32> = vec2<f32>(1.0f);
+    var _S11 : vec2<f32> = map_extent - _S10;
+    var low_0 : vec2<f32> = (clamp(corner_0, _S9, _S11) + _S8) / map_extent;
+    var high_0 : vec2<f32> = (clamp(corner_0 + _S10, _S9, _S11) + _S8) / map_extent;
+    var lit_0 : vec4<f32> = step(vec4<f32>(receiver_mm, receiver_mm, receiver_mm, receiver_mm), vec4<f32>(skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (low_0), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(high_0.x, low_0.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(low_0.x, high_0.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (high_0), (0.0f))).x, projection)));
+    var rows_1 : vec2<f32> = mix(lit_0.xz, lit_0.yw, vec2<f32>(weights_1.x));
+    return mix(rows_1.x, rows_1.y, weights_1.y);
+}
+
+fn skin_shadow_filter(depth_map : texture_2d<f32>, depth_map_sampler : sampler, map_extent : vec2<f32>, view : mat4x4<f32>, projection : mat4x4<f32>, position_mm : vec3<f32>, normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32, filter_width_mm : f32, bias_mm : f32, taps : i32) -> f32
+{
+    var coordinates_0 : vec4<f32> = skin_light_coordinates(skin_shadow_receiver(position_mm, normal, to_light, curvature_per_mm), view, projection);
+    var _S12 : vec2<f32> = skin_shadow_slope(normal, to_light, curvature_per_mm, view[i32(0)].xyz, view[i32(1)].xyz);
+    var _S13 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection[i32(0)].x), abs(projection[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
+    var tap_1 : i32 = i32(0);
+    var total_3 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_1 < taps)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var disk_0 : vec2<f32>;
+        if(taps == i32(16))
+        {
+            disk_0 = SKIN_SHADOW_DISK_16[min(tap_1, i32(15))];
+        }
+        else
+        {
+            disk_0 = SKIN_SHADOW_DISK_48[min(tap_1, i32(47))];
+        }
+        var across_mm_0 : vec2<f32> = vec2<f32>((0.5f * filter_width_mm)) * disk_0;
+        var total_4 : f32 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S13, coordinates_0.z - bias_mm + dot(_S12, across_mm_0));
+        tap_1 = tap_1 + i32(1);
+        total_3 = total_4;
+    }
+    return total_3 / f32(max(taps, i32(1)));
+}
+
+fn skin_diffused_shadow(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, shadow_filter : f32, n_dot_l : f32, filter_width_mm : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(shadow_filter, max(n_dot_l, 0.05000000074505806f) / filter_width_mm) - lut_axes.xz) * lut_axes.yw)), (0.0f))).xyz;
+}
+
+fn skin_sharpened_shadow(shadow_filter : f32, sharpening : f32) -> f32
+{
+    return skin_smoothstep((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter)) / 3.0f) - 0.5f) * sharpening + 0.5f);
+}
+
+fn skin_variance_shadow(mean_depth_mm : f32, mean_square_depth_mm2 : f32, depth_mm : f32) -> f32
+{
+    var _S14 : f32 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    var _S15 : f32 = max(depth_mm - mean_depth_mm, 0.0f);
+    return _S14 / (_S14 + _S15 * _S15);
+}
+
+fn skin_sh_bands(sh : mat3x3<f32>, d : vec3<f32>) -> vec3<f32>
+{
+    var _S16 : f32 = d.y;
+    var _S17 : f32 = d.z;
+    var _S18 : f32 = d.x;
+    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S16 + sh[i32(0)].z * _S17 + sh[i32(1)].x * _S18), 1.09254848957061768f * (sh[i32(1)].y * _S18 * _S16 + sh[i32(1)].z * _S16 * _S17 + sh[i32(2)].y * _S18 * _S17) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S17 * _S17 - dot(d, d)) + 0.54627424478530884f * sh[i32(2)].z * (_S18 * _S18 - _S16 * _S16));
+}
+
+fn skin_ambient_channel(sh : mat3x3<f32>, normal : vec3<f32>, band_transfer : vec3<f32>) -> f32
+{
+    return max(dot(skin_sh_bands(sh, normal), vec3<f32>(1.0f, 1.0f, skin_safe_length(normal)) * band_transfer * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+}
+
+fn skin_ambient_irradiance(radiance_sh_red : mat3x3<f32>, radiance_sh_green : mat3x3<f32>, radiance_sh_blue : mat3x3<f32>, normals : mat3x3<f32>, band_transfer : mat3x3<f32>) -> vec3<f32>
+{
+    var t_1 : mat3x3<f32> = transpose(band_transfer);
+    return vec3<f32>(skin_ambient_channel(radiance_sh_red, normals[i32(0)], t_1[i32(0)]), skin_ambient_channel(radiance_sh_green, normals[i32(1)], t_1[i32(1)]), skin_ambient_channel(radiance_sh_blue, normals[i32(2)], t_1[i32(2)]));
+}
+
+fn skin_ambient_normals(normals : mat3x3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(skin_unit_vectors(normals[i32(0)]), skin_unit_vectors(normals[i32(1)]), skin_unit_vectors(normals[i32(2)]));
+}
+
+fn skin_ambient_of_three(red : vec3<f32>, green : vec3<f32>, blue : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(red.x, green.y, blue.z);
+}
+
+fn skin_bounced_visibility(visibility : vec3<f32>, albedo : vec3<f32>) -> vec3<f32>
+{
+    return max(visibility, ((visibility * (vec3<f32>(2.04040002822875977f) * albedo - vec3<f32>(0.33239999413490295f)) + (vec3<f32>(-4.79510021209716797f) * albedo + vec3<f32>(0.64170002937316895f))) * visibility + (vec3<f32>(2.75519990921020508f) * albedo + vec3<f32>(0.69029998779296875f))) * visibility);
+}
+
+fn skin_specular_visibility(n_dot_v : f32, visibility : f32, roughness : f32) -> f32
+{
+    var exponent_0 : f32 = exp2(-16.0f * roughness - 1.0f);
+    var base_0 : f32 = n_dot_v + visibility;
+    var power_0 : f32;
+    if(base_0 > 0.0f)
+    {
+        power_0 = pow(base_0, exponent_0);
+    }
+    else
+    {
+        power_0 = 0.0f;
+    }
+    return saturate(power_0 - 1.0f + visibility);
+}
+
+fn skin_specular_power(gloss : f32) -> f32
+{
+    return exp2(13.0f * gloss);
+}
+
+fn skin_gloss_of_relief(gloss : f32, normal_length : f32) -> f32
+{
+    var clamped_length_0 : f32 = clamp(normal_length, 0.00100000004749745f, 1.0f);
+    var power_1 : f32 = skin_specular_power(gloss);
+    return log2(max(clamped_length_0 * power_1 / (clamped_length_0 + power_1 * (1.0f - clamped_length_0)), 1.0f)) / 13.0f;
+}
+
+fn skin_gloss_from_roughness(roughness : f32) -> f32
+{
+    var _S19 : f32 = max(roughness, 0.00100000004749745f);
+    var r2_0 : f32 = _S19 * _S19;
+    return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
+}
+
+fn skin_lobe(n_dot_h : f32, n_dot_l : f32, n_dot_v : f32, power : f32) -> f32
+{
+    var k_0 : f32 = skin_rsqrt_0(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
+    var _S20 : f32 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S20 * n_dot_l) * (k_0 + _S20 * n_dot_v)));
+}
+
+fn skin_specular(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, gloss : f32, reflectance : f32) -> f32
+{
+    var half_vector_0 : vec3<f32> = skin_unit_vectors(view + light);
+    var n_dot_l_3 : f32 = saturate(dot(normal, light));
+    var n_dot_v_2 : f32 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal, half_vector_0));
+    var wide_0 : f32 = skin_specular_power(gloss);
+    var grazing_0 : f32 = 1.0f - saturate(dot(view, half_vector_0));
+    var grazing2_0 : f32 = grazing_0 * grazing_0;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+}
+
+fn skin_reflected(normal : vec3<f32>, view : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>((2.0f * dot(normal, view))) * normal - view;
+}
+
+fn skin_ambient_specular_fresnel(n_dot_v : f32, gloss : f32, reflectance : f32) -> f32
+{
+    var grazing_1 : f32 = 1.0f - saturate(n_dot_v);
+    var grazing2_1 : f32 = grazing_1 * grazing_1;
+    return reflectance + (1.0f - reflectance) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss);
+}
+
+fn skin_diffuse_share(n_dot_v : f32, gloss : f32, reflectance : f32) -> f32
+{
+    return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
+}
+
+fn skin_turns(y : f32, x : f32) -> f32
+{
+    var size_0 : vec2<f32> = abs(vec2<f32>(x, y));
+    var _S21 : f32 = size_0.x;
+    var _S22 : f32 = size_0.y;
+    var r_0 : f32 = min(_S21, _S22) / max(max(_S21, _S22), 1.00000000317107685e-30f);
+    var r2_1 : f32 = r_0 * r_0;
+    var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
+    var turns_1 : f32;
+    if(_S22 > _S21)
+    {
+        turns_1 = 0.25f - turns_0;
+    }
+    else
+    {
+        turns_1 = turns_0;
+    }
+    if(x < 0.0f)
+    {
+        turns_1 = 0.5f - turns_1;
+    }
+    if(y < 0.0f)
+    {
+        turns_1 = - turns_1;
+    }
+    return turns_1;
+}
+
+fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
+{
+    var _S23 : f32 = direction.x;
+    var _S24 : f32 = direction.z;
+    return vec2<f32>(0.5f + skin_turns(_S24, _S23), 2.0f * skin_turns(sqrt(_S23 * _S23 + _S24 * _S24), direction.y));
+}
+
+fn skin_reflection_level(power : f32) -> f32
+{
+    return clamp(0.5f * log2(max(power, 1.0f)), 0.0f, 4.0f);
+}
+
+fn skin_preconvolved(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, uv : vec2<f32>, power : f32) -> vec3<f32>
+{
+    var level_0 : f32 = skin_reflection_level(power);
+    var _S25 : f32 = min(floor(level_0), 3.0f);
+    var row_1 : f32 = clamp(uv.y, 0.0078125f, 0.9921875f);
+    var _S26 : f32 = uv.x;
+    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S26, (_S25 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S26, (_S25 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S25)));
+}
+
+fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, gloss : f32) -> vec3<f32>
+{
+    var uv_3 : vec2<f32> = skin_equirectangular_uv(direction);
+    var power_5 : f32 = skin_specular_power(gloss);
+    return mix(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0f), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0f), vec3<f32>(0.05000000074505806f));
+}
+
+fn skin_filmic(light : vec3<f32>) -> vec3<f32>
+{
+    var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S27 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S27 + vec3<f32>(0.5f)) / (x_3 * (_S27 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+}
+
+fn skin_srgb_curve(x : f32) -> f32
+{
+    var _S28 : f32;
+    if(x <= 0.00313080009073019f)
+    {
+        _S28 = 12.92000007629394531f * x;
+    }
+    else
+    {
+        _S28 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return _S28;
+}
+
+fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
+{
+    var x_5 : vec3<f32> = saturate(light);
+    return vec3<f32>(skin_srgb_curve(x_5.x), skin_srgb_curve(x_5.y), skin_srgb_curve(x_5.z));
+}
+
+fn skin_linear_curve(x : f32) -> f32
+{
+    var _S29 : f32;
+    if(x <= 0.04044999927282333f)
+    {
+        _S29 = x / 12.92000007629394531f;
+    }
+    else
+    {
+        _S29 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+    }
+    return _S29;
+}
+
+fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>
+{
+    var x_7 : vec3<f32> = saturate(display);
+    return vec3<f32>(skin_linear_curve(x_7.x), skin_linear_curve(x_7.y), skin_linear_curve(x_7.z));
+}
+
+fn skin_classic_blur_level(radius_mm : f32, uv_scale_mm : f32, map_size : f32, hardware_level : f32) -> f32
+{
+    return max(hardware_level, log2(max(map_size * radius_mm, uv_scale_mm) / uv_scale_mm));
+}
+
+fn skin_classic_direct(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, sharp : vec3<f32>, blurred : vec3<f32>, light : vec3<f32>, curvature_per_mm : f32) -> vec3<f32>
+{
+    var blurred_cosine_0 : f32 = dot(blurred, light);
+    var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_2 : f32 = k_1 * k_1;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp, blurred, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light), dot(skin_unit_vectors(mix(sharp, blurred, vec3<f32>(k_2))), light))) + ((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+}
+
+fn skin_classic_ambient_normals(sharp : vec3<f32>, blurred : vec3<f32>) -> mat3x3<f32>
+{
+    return mat3x3<f32>(blurred, skin_unit_vectors(mix(sharp, blurred, vec3<f32>(0.30000001192092896f))), sharp);
+}
+
+fn skin_classic_sharpened_shadow(shadow_filter : f32, sharpening : f32) -> f32
+{
+    return skin_smoothstep(0.89999997615814209f * sharpening * (shadow_filter - 0.5f) + 0.5f);
+}
+
+fn skin_classic_deep_scatter(thickness_mm : f32, n_dot_l : f32, radius_mm : f32, strength : f32) -> f32
+{
+    return strength * skin_classic_transmittance(thickness_mm, radius_mm) * max(0.30000001192092896f - n_dot_l, 0.0f);
+}
