@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from .._core.arrays import FloatArray, as_floats
-from .._core.errors import ArgumentError
 from .._core.srgb import linear_from_srgb, srgb_from_linear
 from .._core.version import __version__
 from ..profile import GaussianMixture, Profile
 from .shadow import diffused_smoothstep, shadow_axes
-from .table import Axis, Lut, checked_size
+from .table import Axis, Lut, checked_range, checked_size
 
 __all__ = ["CLASSIC_DIFFUSION_RADIUS_MM", "classic_curvature_lut", "classic_shadow_lut"]
 
@@ -48,9 +47,7 @@ def classic_curvature_lut(
         If a size or radius is out of range.
     """
     width, height = checked_size(size)
-    least, greatest = as_floats("radius_mm", radius_mm, (2,))
-    if not 0.0 < least < greatest:
-        raise ArgumentError(f"radius_mm is ({least:g}, {greatest:g}); needs 0 < least < greatest")
+    least, greatest = checked_range("radius_mm", radius_mm)
     columns = Axis("n_dot_l", "1", -1.0, 1.0)
     rows = Axis("curvature", "1/mm", 1.0 / greatest, 1.0 / least)
     n_dot_l = columns.centres(width)

@@ -6,12 +6,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .._core.arrays import FloatArray, as_floats
-from .._core.errors import ArgumentError
+from .._core.arrays import FloatArray
 from .._core.version import __version__
 from ..profile import Profile
 from .spectral import DiffusionGeometry, diffuse_grid
-from .table import Axis, Lut, checked_size
+from .table import Axis, Lut, checked_range, checked_size
 
 __all__ = ["curvature_lut"]
 
@@ -50,9 +49,7 @@ def curvature_lut(
         If a size or radius is out of range, or the kernel unknown.
     """
     width, height = checked_size(size)
-    least, greatest = as_floats("radius_mm", radius_mm, (2,))
-    if not 0.0 < least < greatest:
-        raise ArgumentError(f"radius_mm is ({least:g}, {greatest:g}); needs 0 < least < greatest")
+    least, greatest = checked_range("radius_mm", radius_mm)
     geometry = DiffusionGeometry.of(kernel, "kernel")
     columns = Axis("n_dot_l", "1", -1.0, 1.0)
     rows = Axis("curvature", "1/mm", 1.0 / greatest, 1.0 / least, "sqrt")

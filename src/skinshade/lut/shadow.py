@@ -6,10 +6,9 @@ import numpy as np
 from scipy.special import ndtr
 
 from .._core.arrays import FloatArray, as_floats
-from .._core.errors import ArgumentError
 from .._core.version import __version__
 from ..profile import Profile
-from .table import Axis, Lut, checked_size
+from .table import Axis, Lut, checked_range, checked_size
 
 __all__ = ["build_shadow_lut", "diffused_smoothstep", "inverse_smoothstep", "shadow_axes"]
 
@@ -37,12 +36,13 @@ def diffused_smoothstep(p: FloatArray, s: FloatArray) -> FloatArray:
         Standard deviations of the Gaussian in widths of the step, > 0.
     """
     p, s = np.broadcast_arrays(p, s)
-    lower = _kink(p, s, -1.0)
-    lower += _kink(p - 1.0, s, 1.0)
-    return lower
+    result = _kink(p, s, -1.0)
+    result += _kink(p - 1.0, s, 1.0)
+    return result
 
 
 def _kink(p: FloatArray, s: FloatArray, side: float) -> FloatArray:
+    """Return the share of one kink at distances `p` from it; `side` is −1 for the lower, 1 for the upper."""
     # Beyond FAR widths Φ is 0 or 1 and φ is 0: the polynomial remains, or 0.
     z = p / s
     p2, s2 = p * p, s * s
@@ -64,9 +64,7 @@ def shadow_axes(width_mm: tuple[float, float]) -> tuple[Axis, Axis]:
     ArgumentError
         If the widths are not positive and increasing.
     """
-    least, greatest = as_floats("width_mm", width_mm, (2,))
-    if not 0.0 < least < greatest:
-        raise ArgumentError(f"width_mm is ({least:g}, {greatest:g}); needs 0 < least < greatest")
+    least, greatest = checked_range("width_mm", width_mm)
     columns = Axis("shadow_filter", "1", 0.0, 1.0)
     rows = Axis("n_dot_l_over_filter_width", "1/mm", 1.0 / greatest, 1.0 / least)
     return columns, rows

@@ -17,7 +17,7 @@ from .._core.notebook import png_bytes
 from .._core.srgb import srgb_from_linear
 from .files import read_table, write_table
 
-__all__ = ["Axis", "Lut", "LutKind", "checked_size"]
+__all__ = ["Axis", "Lut", "LutKind", "checked_range", "checked_size"]
 
 LutKind = Literal["curvature", "shadow", "transfer"]
 Spacing = Literal["linear", "sqrt"]
@@ -253,3 +253,19 @@ def checked_size(size: tuple[int, int]) -> tuple[int, int]:
     if not (2 <= width <= 16384 and 2 <= height <= 16384):
         raise ArgumentError(f"size is {width}×{height}; each side must be 2..16384 texels")
     return width, height
+
+
+def checked_range(name: str, range_mm: tuple[float, float]) -> tuple[float, float]:
+    """Return (least, greatest) after a check; `name` is the argument's name.
+
+    Raises
+    ------
+    ArgumentError
+        If the two are not finite, positive and increasing.
+    """
+    least, greatest = (float(value) for value in as_floats(name, range_mm, (2,)))
+    if not 0.0 < least < greatest:
+        raise ArgumentError(
+            f"{name} is ({least:g}, {greatest:g}); the two must be positive and increase"
+        )
+    return least, greatest

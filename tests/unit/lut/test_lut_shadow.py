@@ -147,8 +147,8 @@ def test_the_axes_are_the_filter_and_the_inverse_width():
     ("options", "complaint"),
     [
         ({"size": (1, 8)}, "size is 1×8"),
-        ({"width_mm": (0.0, 1.0)}, "needs 0 < least < greatest"),
-        ({"width_mm": (2.0, 2.0)}, "needs 0 < least < greatest"),
+        ({"width_mm": (0.0, 1.0)}, "must be positive and increase"),
+        ({"width_mm": (2.0, 2.0)}, "must be positive and increase"),
         ({"width_mm": (np.nan, 2.0)}, r"width_mm\[0\] is nan"),
         ({"sharpening": 0.5}, r"sharpening is 0.5; it must lie in \[1, 100\]"),
         ({"sharpening": 101.0}, "sharpening is 101"),
