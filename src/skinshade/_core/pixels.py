@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from .arrays import ImageArray
 from .errors import ArgumentError, FileError, OutputError
-from .files import atomic_write, existing_file
+from .files import FileSet, atomic_write, existing_file
 
-__all__ = ["read_pixels", "write_pixels"]
+__all__ = ["read_description", "read_pixels", "write_pixels"]
 
 DESCRIPTION = "ImageDescription"
 """Text field that OpenImageIO stores in both EXR and PNG."""
@@ -67,12 +67,43 @@ def read_pixels(path: str | os.PathLike[str], error: type[FileError]) -> tuple[I
     return np.ascontiguousarray(pixels, dtype=np.float32), text
 
 
+def read_description(path: str | os.PathLike[str]) -> str:
+    """Return the text that `write_pixels` stored in an image; empty if there is none.
+
+    Raises
+    ------
+    FileError
+        If the file is not an image.
+    """
+    file = existing_file(path)
+    source = oiio.ImageInput.open(str(file))
+    if source is None:
+        raise FileError(f"{file}: not an image ({_reason(oiio)})")
+    try:
+        description = source.spec().getattribute(DESCRIPTION)
+    finally:
+        source.close()
+    return description if isinstance(description, str) else ""
+
+
 def write_pixels(
     path: str | os.PathLike[str],
     pixels: NDArray[np.uint8] | NDArray[np.uint16] | ImageArray,
     description: str = "",
+    files: FileSet | None = None,
 ) -> None:
     """Write an image (H, W, C) in the format of the suffix and the type of the array, atomically.
+
+    Parameters
+    ----------
+    path
+        Target.
+    pixels
+        Values of the pixels.
+    description
+        Text that is stored in the file.
+    files
+        Set of files that is written together; None for this file alone.
 
     Raises
     ------
@@ -96,7 +127,7 @@ def write_pixels(
     if description:
         spec.attribute(DESCRIPTION, description)
         spec.attribute("oiio:ColorSpace", "Linear")
-    with atomic_write(path) as temporary:
+    with atomic_write(path, files) as temporary:
         name = str(temporary)
         out = oiio.ImageOutput.create(name)
         written = (
@@ -105,13 +136,16 @@ def write_pixels(
             and out.write_image(np.ascontiguousarray(pixels))
             and out.close()
         )
-        if not written:
-            raise OutputError(f"{Path(path)}: cannot write it ({_reason(out or oiio)})")
+        # A full disk is reported only as an error text: every call returns True. TIFF has such texts
+        # also for complete files.
+        reason = _reason(out or oiio)
+        if not written or (reason and Path(path).suffix.lower() in TYPES_HELD):
+            raise OutputError(f"{Path(path)}: cannot write it ({reason or 'unknown error'})")
 
 
 def _reason(source: Any) -> str:
-    """Return the error of an OpenImageIO object in one line; empty without an error."""
+    """Return the first error of an OpenImageIO object; empty without an error."""
     try:
-        return "; ".join(dict.fromkeys(str(source.geterror()).strip().splitlines()))
+        return str(source.geterror()).strip().partition("\n")[0].strip()
     except UnicodeDecodeError:  # the message quotes bytes of a corrupt file
         return "its header is corrupt"

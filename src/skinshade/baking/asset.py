@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from .._core.errors import MeshError
+from .._core.errors import ArgumentError, MeshError, OutputError
+from .._core.files import FileSet, atomic_files, remove_dead_files
+from .._core.processes import output_lock
 from .._core.progress import Progress, silent
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh import load_mesh
 from .analysis import BakedMesh, analyse
 from .formats import write_mesh
 from .gltf import bake_gltf
-from .gltf_files import write_gltf
+from .gltf_files import own_buffers, write_gltf
 from .maps import texture_maps, write_maps
+from .previous import without_bake
 from .settings import BakeSettings
 
 __all__ = ["BakedAsset", "bake"]
@@ -29,7 +34,8 @@ class BakedAsset:
     source
         File that was read.
     written
-        Files that were written, the asset itself last.
+        Files that were written, the asset itself last. A file that the asset refers to and that has the
+        right content already counts as written.
     meshes
         Meshes that were baked.
     """
@@ -44,9 +50,14 @@ def bake(
     output: str | os.PathLike[str],
     settings: BakeSettings | None = None,
     *,
+    in_place: bool = False,
+    replaceable: Iterable[Path] = (),
     progress: Progress = silent,
 ) -> BakedAsset:
     """Write a copy of an asset with the vertex attributes that skin shading needs.
+
+    All files are complete before the first one is replaced, and the asset is replaced last. An asset that was
+    baked before gets new attributes in place of the old ones.
 
     Parameters
     ----------
@@ -58,14 +69,19 @@ def bake(
         ``usd``.
     settings
         Attributes to bake; the mean curvature by default.
+    in_place
+        Whether `output` may be the source itself, which must be glTF.
+    replaceable
+        Files that an earlier bake of this asset wrote. Other files beside the output that have the name of a
+        texture or buffer of the asset, and another content, are errors.
     progress
         Called with the name of the work and the fraction that is done.
 
     Raises
     ------
     MeshFileError, MeshError, UnitError, ArgumentError, OutputError
-        If the source is faulty, its unit is unknown, a setting is not allowed, or the output cannot be
-        written.
+        If the source is faulty, its unit is unknown, a setting is not allowed, the output cannot be written,
+        another process writes it, or another file would be replaced.
 
     Examples
     --------
@@ -77,33 +93,69 @@ def bake(
     """
     settings = settings or BakeSettings()
     file, target = Path(source), Path(output)
+    _check_target(file, target, in_place)
+    remove_dead_files([target.parent])
+    with output_lock(target), atomic_files() as files:
+        outdated = own_buffers(target)
+        meshes = _bake(files, file, target, settings, replaceable, progress)
+        files.replace_targets()
+        for buffer in outdated - set(files.written):
+            with suppress(OSError):
+                buffer.unlink()
+    return BakedAsset(file, files.written, meshes)
+
+
+def _bake(
+    files: FileSet,
+    file: Path,
+    target: Path,
+    settings: BakeSettings,
+    replaceable: Iterable[Path],
+    progress: Progress,
+) -> list[BakedMesh]:
+    """Add the files of a baked asset to a set, and return its meshes."""
     is_gltf = file.suffix.lower() in GLTF_SUFFIXES
     if is_gltf and target.suffix.lower() in GLTF_SUFFIXES:
-        gltf = read_gltf(file)
+        gltf = without_bake(read_gltf(file))
         baked = bake_gltf(gltf, settings, progress)
-        maps = _write_maps(baked.meshes, file, target, settings)
-        return BakedAsset(file, maps + write_gltf(gltf, baked, target), baked.meshes)
+        _add_maps(files, baked.meshes, file, target, settings)
+        write_gltf(files, gltf, baked, target, replaceable)
+        return baked.meshes
     mesh = load_mesh(file, unit_mm=settings.unit_mm)
     result = BakedMesh(file.stem, mesh, analyse(mesh, settings, str(file), progress))
-    maps = _write_maps([result], file, target, settings)
-    write_mesh(target, mesh, result.analysis, settings)
-    return BakedAsset(file, [*maps, target], [result])
+    _add_maps(files, [result], file, target, settings)
+    write_mesh(files, target, mesh, result.analysis, settings)
+    return [result]
 
 
-def _write_maps(
-    meshes: list[BakedMesh], source: Path, output: Path, settings: BakeSettings
-) -> list[Path]:
-    """Write the maps of every mesh; several meshes are numbered."""
+def _check_target(file: Path, target: Path, in_place: bool) -> None:
+    """Raise if the folder of an output is missing, or the output is the source and must not be."""
+    try:
+        if not target.parent.is_dir():
+            raise OutputError(f"{target}: the folder {target.parent} does not exist")
+        same = target.exists() and file.exists() and target.samefile(file)
+    except (OSError, ValueError) as error:  # a name that is too long, or has a NUL
+        raise OutputError(f"{target}: not the name of a file ({error})") from None
+    if same and not in_place:
+        raise ArgumentError(
+            f"{target}: is the source itself; choose another output, or allow it with --in-place"
+        )
+    if same and file.suffix.lower() not in GLTF_SUFFIXES:
+        raise ArgumentError(f"{file}: only glTF can be baked in place; other formats lose content")
+
+
+def _add_maps(
+    files: FileSet, meshes: list[BakedMesh], source: Path, output: Path, settings: BakeSettings
+) -> None:
+    """Add the maps of every mesh to a set of files; the maps of several meshes are numbered."""
     if not settings.map_size:
-        return []
+        return
     maps = []
     for baked in meshes:  # all maps are computed before the first one is written
         try:
             maps.append(texture_maps(baked.mesh, baked.analysis, settings.map_size))
         except MeshError as error:
             raise MeshError(f"{source}: mesh {baked.name}: {error}") from None
-    written = []
     for index, images in enumerate(maps):
-        stem = output.stem if len(meshes) == 1 else f"{output.stem}-{index}"
-        written += write_maps(images, output.with_name(stem), f".{settings.map_format}")
-    return written
+        number = None if len(meshes) == 1 else index
+        write_maps(files, images, output.with_suffix(""), f".{settings.map_format}", number)

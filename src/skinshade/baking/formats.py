@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from .._core.errors import ArgumentError, DependencyError
-from .._core.files import atomic_write
+from .._core.errors import ArgumentError, DependencyError, OutputError
+from .._core.files import FileSet, atomic_write
 from .._core.units import GLTF_UNIT_MM
 from .._core.version import __version__
 from ..gltf.write import AccessorWriter, glb_bytes
@@ -30,8 +30,10 @@ COLUMNS = {
 """Vertex properties of PLY and primvars of USD, by the name of the attribute."""
 
 
-def write_mesh(output: Path, mesh: Mesh, analysis: Analysis, settings: BakeSettings) -> None:
-    """Write a mesh and its attributes in the format of the output's suffix.
+def write_mesh(
+    files: FileSet, output: Path, mesh: Mesh, analysis: Analysis, settings: BakeSettings
+) -> None:
+    """Add a file to a set: a mesh and its attributes, in the format of the output's suffix.
 
     Raises
     ------
@@ -44,15 +46,13 @@ def write_mesh(output: Path, mesh: Mesh, analysis: Analysis, settings: BakeSetti
     }
     suffix = output.suffix.lower()
     if suffix in (".usda", ".usdc", ".usd"):
-        _write_usd(output, mesh, analysis, settings)
+        _write_usd(files, output, mesh, analysis, settings)
         return
     if suffix not in writers:
         raise ArgumentError(
             f"{output}: suffix {output.suffix!r}; a baked mesh is .glb, .ply, .usda or .usdc"
         )
-    content = writers[suffix](mesh, analysis, settings)
-    with atomic_write(output) as temporary:
-        temporary.write_bytes(content)
+    files.add_bytes(output, writers[suffix](mesh, analysis, settings))
 
 
 def _ply(mesh: Mesh, analysis: Analysis, settings: BakeSettings) -> bytes:
@@ -104,12 +104,14 @@ def _glb(mesh: Mesh, analysis: Analysis, settings: BakeSettings) -> bytes:
     return glb_bytes(document, bytes(accessors.data))
 
 
-def _write_usd(output: Path, mesh: Mesh, analysis: Analysis, settings: BakeSettings) -> None:
+def _write_usd(
+    files: FileSet, output: Path, mesh: Mesh, analysis: Analysis, settings: BakeSettings
+) -> None:
     if find_spec("pxr") is None:
         raise DependencyError('USD is not installed: pip install "skinshade[usd]"')
-    from pxr import Gf, Sdf, Usd, UsdGeom, Vt
+    from pxr import Gf, Sdf, Tf, Usd, UsdGeom, Vt
 
-    with atomic_write(output) as temporary:
+    with atomic_write(output, files) as temporary:
         temporary.unlink()  # USD refuses to create a file that exists
         stage = Usd.Stage.CreateNew(str(temporary))
         UsdGeom.SetStageMetersPerUnit(stage, 0.001)
@@ -139,4 +141,9 @@ def _write_usd(output: Path, mesh: Mesh, analysis: Analysis, settings: BakeSetti
                 primvar.Set(Vt.FloatArray.FromNumpy(column))
         prim.GetPrim().SetCustomDataByKey("skinshade:profile", settings.profile)
         prim.GetPrim().SetCustomDataByKey("skinshade:version", __version__)
-        stage.GetRootLayer().Save()
+        try:
+            written = stage.GetRootLayer().Save()
+        except Tf.ErrorException:  # its text repeats one line for every block of the file
+            written = False
+        if not written:
+            raise OutputError(f"{output}: USD cannot write it; is the disk full?")

@@ -3,41 +3,60 @@
 from __future__ import annotations
 
 import copy
-import itertools
+import hashlib
+import re
+from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from .._core.errors import ArgumentError
-from .._core.files import atomic_write
-from ..gltf import GLTF_SUFFIXES, GltfDocument
+from .._core.errors import ArgumentError, MeshFileError, OutputError, SkinshadeError
+from .._core.files import FileSet
+from ..gltf import GLTF_SUFFIXES, GltfDocument, read_gltf
 from ..gltf.write import glb_bytes, json_bytes
 from .gltf import GltfBake
 
-__all__ = ["write_gltf"]
+__all__ = ["COPIED_SUFFIXES", "own_buffers", "write_gltf"]
+
+BUFFERS = (".bin", ".glbin")
+IMAGES = (".png", ".jpg", ".jpeg", ".jpe", ".webp", ".avif", ".ktx", ".ktx2", ".basis", ".dds")
+FURTHER_IMAGES = (".tga", ".bmp", ".gif", ".tif", ".tiff", ".hdr", ".exr")
+COPIED_SUFFIXES = frozenset((*BUFFERS, *IMAGES, *FURTHER_IMAGES))
+"""Suffixes of buffers and images. Other files that an asset refers to are not copied."""
 
 
-def write_gltf(gltf: GltfDocument, baked: GltfBake, output: Path) -> list[Path]:
-    """Write a baked document, and copy the files that it refers to if it is written to another folder.
+def write_gltf(
+    files: FileSet,
+    gltf: GltfDocument,
+    baked: GltfBake,
+    output: Path,
+    replaceable: Iterable[Path] = (),
+) -> None:
+    """Add a baked document, its buffer, and copies of the files that it refers to, to a set of files.
+
+    Files that the document refers to are copied if the output is in another folder. The buffer beside a
+    ``.gltf`` has the hash of its content in its name: a document and its buffer always fit, also while a
+    later bake replaces them.
 
     Parameters
     ----------
+    files
+        Set of files that is written together; the document is added last.
     gltf
         Source document.
     baked
         Result of baking it.
     output
         ``.glb`` or ``.gltf``.
-
-    Returns
-    -------
-    list
-        Files that were written, the document last.
+    replaceable
+        Files that an earlier bake of this asset wrote, and which may be replaced.
 
     Raises
     ------
     ArgumentError, OutputError, MeshFileError
-        If the suffix is neither ``.glb`` nor ``.gltf``, a file cannot be written, or a buffer is missing.
+        If the suffix is neither ``.glb`` nor ``.gltf``, a file cannot be written, a buffer is missing, or a
+        file that the document refers to is neither an image nor a buffer, is hidden, or would replace a file.
     """
     suffix = output.suffix.lower()
     if suffix not in GLTF_SUFFIXES:
@@ -60,36 +79,64 @@ def write_gltf(gltf: GltfDocument, baked: GltfBake, output: Path) -> list[Path]:
     buffers[target]["byteLength"] = len(data)
     for view in document["bufferViews"][len(gltf.items("bufferViews")) :]:
         view |= {"buffer": target, "byteOffset": view["byteOffset"] + start}
-    contents: dict[Path, bytes] = _referred_files(gltf, document, output)
+    _copy_files(files, gltf, document, output, {path.resolve() for path in replaceable})
     if to_glb:
-        contents[output] = glb_bytes(document, data, gltf.chunks)
-    else:
-        buffer_file = _unused_name(output, document, gltf)
-        buffers[target]["uri"] = quote(buffer_file.name)
-        contents |= {buffer_file: data, output: json_bytes(document)}
-    for path, content in contents.items():
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_write(path) as temporary:
-            temporary.write_bytes(content)
-    return list(contents)
+        files.add_bytes(output, glb_bytes(document, data, gltf.chunks))
+        return
+    digest = hashlib.sha256(data).hexdigest()[:16]
+    buffer_file = output.with_name(f"{output.stem}.skinshade-{digest}.bin")
+    buffers[target]["uri"] = quote(buffer_file.name)
+    files.add_bytes(buffer_file, data)
+    files.add_bytes(output, json_bytes(document))
 
 
-def _unused_name(output: Path, document: dict[str, Any], gltf: GltfDocument) -> Path:
-    """Return a path for the new buffer that no buffer or image of the document uses."""
-    used = {str(file) for file in GltfDocument(gltf.path, document).external_files()}
-    names = (f"{output.stem}.skinshade{number or ''}.bin" for number in itertools.count())
-    return output.with_name(next(name for name in names if name not in used))
+def own_buffers(output: Path) -> set[Path]:
+    """Return the buffers of former bakes of an output to which the present output does not refer.
+
+    The next bake removes them. Those of the output that it replaces stay, because other programs may have
+    read that document and not yet its buffer.
+    """
+    if output.suffix.lower() != ".gltf":
+        return set()
+    pattern = re.compile(re.escape(output.stem) + r"\.skinshade-[0-9a-f]{16}\.bin")
+    used: set[Path] = set()
+    with suppress(SkinshadeError):
+        used = {output.parent / name for name in read_gltf(output).external_files()}
+    names = {path for path in output.parent.glob("*.bin") if pattern.fullmatch(path.name)}
+    return names - used
 
 
-def _referred_files(
-    gltf: GltfDocument, document: dict[str, Any], output: Path
-) -> dict[Path, bytes]:
-    """Return the files that a document refers to, by their new paths; none in the same folder."""
-    source_folder, target_folder = gltf.path.parent.resolve(), output.parent.resolve()
-    if source_folder == target_folder:
-        return {}
-    return {
-        output.parent / relative: (source_folder / relative).read_bytes()
-        for relative in GltfDocument(gltf.path, document).external_files()
-        if (source_folder / relative).is_file()  # missing images are not an error
-    }
+def _copy_files(
+    files: FileSet,
+    gltf: GltfDocument,
+    document: dict[str, Any],
+    output: Path,
+    replaceable: set[Path],
+) -> None:
+    """Add copies of the files that a document refers to; none if the output is in the same folder."""
+    target_folder = output.parent.resolve()
+    if gltf.path.parent.resolve() == target_folder:
+        return
+    for name, source in GltfDocument(gltf.path, document).external_files().items():
+        if not source.is_file():  # a missing image is not an error
+            continue
+        hidden = any(part.startswith(".") for part in name.parts)
+        if hidden or not {name.suffix.lower(), source.suffix.lower()} <= COPIED_SUFFIXES:
+            raise MeshFileError(
+                f"{gltf.path}: refers to {name}, which is"
+                f" {'a hidden file' if hidden else 'neither an image nor a buffer by its suffix'} and is"
+                " not copied; bake the asset into its own folder"
+            )
+        target = output.parent / name
+        if not target.resolve().is_relative_to(target_folder):
+            raise OutputError(f"{target}: leads out of the output folder; {source} is not copied")
+        content = source.read_bytes()
+        if target.exists() and target.resolve() not in replaceable:
+            if not target.is_file() or target.read_bytes() != content:
+                raise OutputError(
+                    f"{target}: exists and differs from {source}, which {gltf.path} refers to; move it, or"
+                    " choose another output folder"
+                )
+            files.keep(target)
+            continue
+        files.add_bytes(target, content, make_folder=True)

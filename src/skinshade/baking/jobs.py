@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, field
-from glob import escape
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal, get_args
 
@@ -15,7 +15,7 @@ import numpy as np
 
 from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError, SkinshadeError
-from .._core.files import atomic_write
+from .._core.files import atomic_write, remove_dead_files
 from .._core.version import __version__
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh.readers import SUFFIXES
@@ -23,7 +23,6 @@ from ..profile import Profile
 from ..scene.images import write_png
 from .analysis import BakedMesh
 from .asset import BakedAsset, bake
-from .maps import UNITS as MAP_UNITS
 from .settings import BakeSettings, OutputFormat
 from .thumbnails import thumbnails
 
@@ -49,6 +48,8 @@ class Job:
         Settings of the bake.
     with_thumbnail
         Whether thumbnails are drawn.
+    problem
+        Reason why the asset cannot be baked, else empty.
     """
 
     source: Path
@@ -57,6 +58,7 @@ class Job:
     thumbnail: Path
     settings: BakeSettings
     with_thumbnail: bool = False
+    problem: str = ""
 
 
 @dataclass(frozen=True)
@@ -98,6 +100,8 @@ def plan_jobs(
 ) -> list[Job]:
     """Return a job for every model. Outputs keep the paths of the models below their common folder.
 
+    The jobs of models whose outputs would have the same name have a problem, and fail alone.
+
     Parameters
     ----------
     sources
@@ -115,7 +119,7 @@ def plan_jobs(
     Raises
     ------
     ArgumentError
-        If there is no model, the format is unknown, or two models have the same output.
+        If there is no model, the format is unknown, or the output folder contains a model itself.
     """
     suffix = None
     if output_format is not None:
@@ -123,43 +127,60 @@ def plan_jobs(
     missing = [source for source in sources if not source.exists()]
     if missing:
         raise ArgumentError(f"{missing[0]}: no such file or folder")
-    models = sorted({path.resolve() for source in sources for path in _models(source, folder)})
+    # Symbolic links are not resolved: an output has the name of the link.
+    models = sorted(
+        {
+            Path(os.path.abspath(path))  # noqa: PTH100 — Path.absolute keeps ".."
+            for source in sources
+            for path in _models(source, folder)
+        }
+    )
     if not models:
         raise ArgumentError(
             "there is no model to bake; give .glb, .gltf, .obj, .ply or .stl files outside the output"
         )
     common = _common_folder(models)
-    jobs: dict[Path, Job] = {}
-    owners: dict[Path, Path] = {}
+    resolved = {model.resolve() for model in models}
+    jobs: list[Job] = []
+    claims: dict[Path, list[Path]] = {}
     for source in models:
         is_gltf = source.suffix.lower() in GLTF_SUFFIXES
         ending = suffix or (source.suffix if is_gltf else ".glb")
         relative = source.relative_to(common).with_suffix(ending)
         output = folder / relative
-        if output.resolve() in models:
+        if output.resolve() in resolved:
             raise ArgumentError(f"{output}: is one of the sources; choose another output folder")
-        # Texture maps are named after the asset without its suffix.
-        name = output.with_suffix("") if settings.map_size else output
-        owner = owners.setdefault(name, source)
-        if owner != source:
-            raise ArgumentError(
-                f"{owner} and {source} would both be written to {name}; bake them into two folders"
-            )
+        claims.setdefault(_claim(output, settings), []).append(source)
         record, thumbnail = (folder / RECORDS / f"{relative}.{kind}" for kind in ("json", "png"))
-        jobs[output] = Job(source, output, record, thumbnail, settings, with_thumbnails)
-    return list(jobs.values())
+        jobs.append(Job(source, output, record, thumbnail, settings, with_thumbnails))
+    return [_with_problem(job, claims[_claim(job.output, settings)]) for job in jobs]
+
+
+def _claim(output: Path, settings: BakeSettings) -> Path:
+    """Return the name that no other job may use: maps are named after the asset without its suffix."""
+    return output.with_suffix("") if settings.map_size else output
+
+
+def _with_problem(job: Job, sources: Sequence[Path]) -> Job:
+    if len(sources) == 1:
+        return job
+    names = ", ".join(map(str, sources))
+    problem = f"{names}: all would be written to {job.output}; bake them into different folders"
+    return replace(job, problem=problem)
 
 
 def run_job(job: Job) -> JobResult:
     """Bake an asset unless it is current. Errors are returned in the result, not raised."""
+    if job.problem:
+        return failure(job, job.problem)
     try:
         key = _key(job)
         current = _current_result(job, key)
         if current is not None:
             return current
         job.output.parent.mkdir(parents=True, exist_ok=True)
-        _remove_temporary_files(job)
-        baked = bake(job.source, job.output, job.settings)
+        remove_dead_files([job.record.parent])
+        baked = bake(job.source, job.output, job.settings, replaceable=_recorded_files(job))
         result = JobResult(
             str(job.source),
             str(job.output),
@@ -183,16 +204,6 @@ def run_job(job: Job) -> JobResult:
     except Exception as error:
         return failure(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
     return result
-
-
-def _remove_temporary_files(job: Job) -> None:
-    """Remove temporary files of earlier processes that were killed while they ran this job."""
-    buffer_file = job.output.with_suffix(".skinshade.bin")
-    maps = [job.output.with_suffix(f".{name}.{job.settings.map_format}") for name in MAP_UNITS]
-    for target in (job.output, job.record, buffer_file, *maps):
-        # `atomic_write` adds eight random characters to the name.
-        for path in target.parent.glob(f".{escape(target.stem)}-????????{escape(target.suffix)}"):
-            path.unlink(missing_ok=True)
 
 
 def failure(job: Job, error: str) -> JobResult:
@@ -230,9 +241,8 @@ def _key(job: Job) -> str:
     digest.update(job.source.read_bytes() if job.source.is_file() else b"")
     if job.source.suffix.lower() in GLTF_SUFFIXES:
         gltf = read_gltf(job.source)
-        for relative in gltf.external_files():
-            file = gltf.path.parent / relative
-            digest.update(str(relative).encode())
+        for name, file in gltf.external_files().items():
+            digest.update(os.fsencode(name))
             digest.update(file.read_bytes() if file.is_file() else b"")
     return digest.hexdigest()
 
@@ -254,6 +264,16 @@ def _current_result(job: Job, key: str) -> JobResult | None:
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None
+
+
+def _recorded_files(job: Job) -> list[Path]:
+    """Return the files that the record of a job lists and that are unchanged since they were written."""
+    try:
+        record = json.loads(job.record.read_text(encoding="utf-8"))
+        files = {job.output.parent / str(name): value for name, value in record["files"].items()}
+        return [path for path, value in files.items() if path.is_file() and _hash(path) == value]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return []
 
 
 def _hash(path: Path) -> str:

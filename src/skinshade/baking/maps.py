@@ -10,8 +10,9 @@ import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 from .._core.arrays import FloatArray
-from .._core.errors import ArgumentError, MeshError
-from .._core.pixels import write_pixels
+from .._core.errors import ArgumentError, MeshError, OutputError, SkinshadeError
+from .._core.files import FileSet
+from .._core.pixels import read_description, write_pixels
 from ..mesh import Mesh
 from ..mesh.topology import face_areas
 from ..rendering.prepare.rasterizer import rasterize
@@ -68,32 +69,67 @@ def texture_maps(mesh: Mesh, analysis: Analysis, size: int) -> dict[str, FloatAr
     return maps
 
 
-def write_maps(maps: Mapping[str, FloatArray], base: Path, suffix: str) -> list[Path]:
-    """Write maps as ``<base>.<name>.exr`` in their units, or as 16-bit ``.png`` scaled to their range.
+def write_maps(
+    files: FileSet,
+    maps: Mapping[str, FloatArray],
+    base: Path,
+    suffix: str,
+    index: int | None = None,
+) -> None:
+    """Add maps to a set of files: EXR in their units, or 16-bit PNG scaled to their range.
 
-    The metadata of a PNG states the range: ``value_low`` and ``value_span``.
+    A map is called ``<base>.<name>.exr``, or ``<base>.<name>.<index>.exr`` for one of several meshes. The
+    number comes last, so that no asset with another name has a map of this name. The metadata of a PNG state
+    the range: ``value_low`` and ``value_span``.
+
+    Parameters
+    ----------
+    files
+        Set of files that is written together.
+    maps
+        Maps by name, from `texture_maps`.
+    base
+        Path of the asset without its suffix.
+    suffix
+        ``.exr`` or ``.png``.
+    index
+        Number of the mesh; None if the asset has one mesh.
 
     Raises
     ------
     ArgumentError, OutputError
-        If the suffix is neither ``.exr`` nor ``.png``, or a file cannot be written.
+        If the suffix is neither ``.exr`` nor ``.png``, a file cannot be written, or an image that is no map
+        of skinshade has the name of a map.
     """
     if suffix not in (".exr", ".png"):
         raise ArgumentError(f"map suffix is {suffix!r}; it must be .exr or .png")
-    written = []
+    ending = suffix if index is None else f".{index}{suffix}"
     for name, values in maps.items():
-        path = base.with_name(f"{base.name}.{name}{suffix}")
+        path = base.with_name(f"{base.name}.{name}{ending}")
+        _refuse_foreign_image(path)
         description = {"kind": name, "unit": UNITS[name]}
         if suffix == ".exr":
             pixels = np.repeat(values[..., None], 3, axis=2).astype(np.float32)
-            write_pixels(path, pixels, json.dumps(description))
+            write_pixels(path, pixels, json.dumps(description), files)
         else:
             low, span = float(values.min()), float(np.ptp(values)) or 1.0
             steps = np.rint((values - low) / span * PNG_STEPS).astype(np.uint16)
             ranged = description | {"value_low": low, "value_span": span}
-            write_pixels(path, np.repeat(steps[..., None], 3, axis=2), json.dumps(ranged))
-        written.append(path)
-    return written
+            write_pixels(path, np.repeat(steps[..., None], 3, axis=2), json.dumps(ranged), files)
+
+
+def _refuse_foreign_image(path: Path) -> None:
+    """Raise if a file has the name of a map and is no map of skinshade."""
+    if not path.exists():
+        return
+    try:
+        description = json.loads(read_description(path))
+    except (SkinshadeError, ValueError):
+        description = None
+    if not isinstance(description, dict) or description.get("kind") not in UNITS:
+        raise OutputError(
+            f"{path}: exists and is no map of skinshade; move it, or choose another output"
+        )
 
 
 def _areas(corners: FloatArray) -> FloatArray:

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from .._core.errors import InputError, OutputError
+from .._core.errors import ArgumentError, InputError, OutputError
 from .._core.units import parse_unit_mm
 from ..baking import BakeSettings, bake
 from ..baking.jobs import JobResult, plan_jobs, status_counts
@@ -105,14 +105,23 @@ def bake_command(
         list[Path], typer.Argument(help="GLB, glTF, OBJ, PLY or STL files, or folders of them.")
     ],
     output: Annotated[
-        Path,
+        Path | None,
         typer.Option("--output", "-o", help="File for one model, or folder for several models."),
-    ],
+    ] = None,
+    in_place: Annotated[
+        bool,
+        typer.Option("--in-place", help="Replace the model by its baked copy; one GLB or glTF."),
+    ] = False,
     analysis: AnalysisOptions,
     library: LibraryOptions,
 ) -> None:
     """Write copies of models that have curvature, and on request thickness, at their vertices."""
     settings = analysis.settings()
+    if in_place:
+        _bake_in_place(sources, output, settings)
+        return
+    if output is None:
+        raise ArgumentError("--output is missing; give it, or --in-place")
     if _is_single(sources, output, library):
         _bake_one(sources[0], output, settings)
     else:
@@ -126,9 +135,19 @@ def _is_single(sources: list[Path], output: Path, library: LibraryOptions) -> bo
     return output.suffix != "" and not output.is_dir()
 
 
-def _bake_one(source: Path, output: Path, settings: BakeSettings) -> None:
+def _bake_in_place(sources: list[Path], output: Path | None, settings: BakeSettings) -> None:
+    if len(sources) != 1 or sources[0].is_dir():
+        raise ArgumentError("--in-place needs one model")
+    if output is not None and not (output.exists() and output.samefile(sources[0])):
+        raise ArgumentError(f"--in-place replaces {sources[0]}; {output} is another file")
+    _bake_one(sources[0], sources[0], settings, in_place=True)
+
+
+def _bake_one(
+    source: Path, output: Path, settings: BakeSettings, *, in_place: bool = False
+) -> None:
     with terminal_progress() as progress:
-        baked = bake(source, output, settings, progress=progress)
+        baked = bake(source, output, settings, in_place=in_place, progress=progress)
     for mesh in baked.meshes:
         curvature = mesh.analysis.attributes["curvature"]
         notes = "".join(f"; {count} {note}" for note, count in mesh.all_notes.items())

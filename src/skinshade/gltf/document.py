@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import base64
 import binascii
+import os
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -133,8 +134,8 @@ class GltfDocument:
                 f"{where} needs {count} more numbers; that is too many for {available} bytes of buffers"
             )
 
-    def external_files(self) -> list[Path]:
-        """Return the files that the document refers to, relative to its folder.
+    def external_files(self) -> dict[Path, Path]:
+        """Return the files that the document refers to, by their names relative to its folder.
 
         Raises
         ------
@@ -142,12 +143,11 @@ class GltfDocument:
             If one of them is outside the folder.
         """
         uris = [entry.get("uri") for key in ("buffers", "images") for entry in self.items(key)]
-        folder = self.path.parent.resolve()
-        return [
-            self._file_of(uri).relative_to(folder)
+        return {
+            self._name_of(uri): self._file_of(uri)
             for uri in uris
             if isinstance(uri, str) and not uri.startswith("data:") and "://" not in uri
-        ]
+        }
 
     def _load_buffer(self, index: int, entry: dict[str, Any]) -> bytes:
         uri = entry.get("uri")
@@ -183,6 +183,13 @@ class GltfDocument:
             return base64.b64decode(unquote(text) if "%" in text else text, validate=True)
         except (binascii.Error, ValueError) as error:
             raise MeshFileError(f"{self.path}: buffer {index}: {error}") from None
+
+    def _name_of(self, uri: str) -> Path:
+        """Return the name of a relative URI, which must not lead out of the document's folder on the way."""
+        name = Path(os.path.normpath(unquote(uri)))
+        if name.is_absolute() or name.drive or ".." in name.parts:
+            raise MeshFileError(f"{self.path}: {uri!r} leaves the asset's folder")
+        return name
 
     def _file_of(self, uri: str) -> Path:
         """Return the file of a relative URI, which must be inside the document's folder."""

@@ -11,6 +11,7 @@ import gltf_shapes
 import shapes
 from gltf_validator import assert_valid
 from skinshade._core.errors import ArgumentError, DependencyError, MeshError, UnitError
+from skinshade._core.files import atomic_files
 from skinshade.baking import BakeSettings, bake, formats
 from skinshade.baking.analysis import analyse
 from skinshade.baking.maps import texture_maps, write_maps
@@ -273,9 +274,15 @@ def test_faces_in_other_tiles_are_moved_to_the_first_tile(tile):
     np.testing.assert_allclose(moved, first, rtol=UV_DENSITY.value)
 
 
+def written_maps(maps, base):
+    with atomic_files() as files:
+        write_maps(files, maps, base, ".png")
+    return files.written
+
+
 def test_the_values_of_a_png_map_follow_from_its_range(tmp_path):
     values = np.linspace(-0.3, 0.7, 64).reshape(8, 8)
-    (path,) = write_maps({"curvature": values}, tmp_path / "head.v2", ".png")
+    (path,) = written_maps({"curvature": values}, tmp_path / "head.v2")
     assert path.name == "head.v2.curvature.png"
     pixels, description = read_map(path)
     assert description["kind"] == "curvature"
@@ -285,7 +292,7 @@ def test_the_values_of_a_png_map_follow_from_its_range(tmp_path):
     np.testing.assert_allclose(
         low + span * pixels[..., 0], values, atol=1.01 * PNG_HALF_STEP.value / 65535.0
     )
-    (path,) = write_maps({"thickness": np.full((4, 4), 7.5)}, tmp_path / "head", ".png")
+    (path,) = written_maps({"thickness": np.full((4, 4), 7.5)}, tmp_path / "head")
     pixels, description = read_map(path)
     assert path.name == "head.thickness.png"
     assert description["value_low"] == 7.5
@@ -297,7 +304,7 @@ def test_each_of_several_meshes_has_its_own_maps(tmp_path):
     baked = bake(source, tmp_path / "out.glb", BakeSettings(map_size=8, map_format="png"))
     names = [path.name for path in baked.written]
     assert names[:-1] == [
-        f"out-{i}.{name}.png" for i in (0, 1) for name in ("uv_density", "curvature")
+        f"out.{name}.{i}.png" for i in (0, 1) for name in ("uv_density", "curvature")
     ]
 
 

@@ -288,18 +288,6 @@ def test_a_bake_of_a_baked_file_gives_the_same_curvature(tmp_path, form):
     assert_valid(twice.written[-1])
 
 
-def test_a_bake_in_place_keeps_the_bytes_of_the_previous_bake(tmp_path):
-    """Both bakes name their buffer after the file; the second one must choose another name."""
-    source = gltf_shapes.write(gltf_shapes.plain(), tmp_path, "external")
-    bake(source, source, BakeSettings(thickness=True, rays=4))
-    before, old = gltf_shapes.read(source)
-    bake(source, source)
-    after, new = gltf_shapes.read(source)
-    kept = gltf_shapes.view_bytes(after, new)[: len(before["bufferViews"])]
-    assert kept == gltf_shapes.view_bytes(before, old)
-    assert_valid(source)
-
-
 # -- units and placement ---------------------------------------------------------------------------
 
 
