@@ -57,7 +57,7 @@ FURTHER_NAMES = [
     *("Camera", "DirectionalLight", "Environment", "Material", "SkinParams", "SpotLight"),
     *("InputError", "SkinshadeError", "__version__", "BakeSettings", "RenderedImage"),
     *("Skin", "build_transfer_lut", "export_shaders", "gpu", "vertex_attributes"),
-    "mesh_thickness",
+    *("Part", "mesh_thickness"),
 ]
 
 

@@ -23,6 +23,7 @@ A message names the file or the argument, the index and the value at fault, and 
 
 __all__ = [
     "ArgumentError",
+    "AssetWarning",
     "BackendError",
     "DependencyError",
     "DownloadError",
@@ -36,6 +37,7 @@ __all__ = [
     "SceneFileError",
     "ShaderError",
     "SkinshadeError",
+    "SkinshadeWarning",
     "UnitError",
     "UnitWarning",
 ]
@@ -105,5 +107,13 @@ class DownloadError(SkinshadeError):
     """An asset could not be downloaded, or its hash is wrong."""
 
 
-class UnitWarning(UserWarning):
+class SkinshadeWarning(UserWarning):
+    """Base class of all warnings of skinshade, which the program prints."""
+
+
+class AssetWarning(SkinshadeWarning):
+    """A part of an asset cannot be used, and the result is made without it."""
+
+
+class UnitWarning(SkinshadeWarning):
     """The unit that a file format prescribes makes the object implausibly large or small."""

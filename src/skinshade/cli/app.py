@@ -9,7 +9,7 @@ from typing import Annotated, NamedTuple
 
 import typer
 
-from .._core.errors import SkinshadeError, UnitWarning
+from .._core.errors import SkinshadeError, SkinshadeWarning
 from .._core.version import __version__
 
 __all__ = ["command_line", "main"]
@@ -111,5 +111,5 @@ def _show_error(message: str) -> None:
 
 
 def _show_warning(message: Warning | str, category: type[Warning], *_: object) -> None:
-    if issubclass(category, UnitWarning):
+    if issubclass(category, SkinshadeWarning):
         typer.echo(f"skinshade: warning: {message}", err=True)

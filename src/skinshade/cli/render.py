@@ -77,6 +77,7 @@ def render_command(
         raise ArgumentError(f"--turntable is {turntable}; it must be 0..{MOST_FRAMES} frames")
     variants = [parse_variant(text, settings) for text in compare.split(",")] if compare else []
     scene = build_scene(model, material, light)
+    _report_parts(scene)
     with terminal_progress() as progress:
         renderer = open_renderer(scene, backend, progress=progress, adapter=adapter)
         if variants:
@@ -88,6 +89,16 @@ def render_command(
             typer.echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.device_name}")
     if timings is not None:
         typer.echo(timing_report(renderer, as_json=timings == TimingForm.JSON))
+
+
+def _report_parts(scene: Scene) -> None:
+    """Print which materials are drawn as skin, if the model has several."""
+    if not scene.parts:
+        return
+    skin = [scene.material.name, *(part.name for part in scene.parts if part.is_skin)]
+    others = [part.name for part in scene.parts if not part.is_skin]
+    typer.echo(f"materials with scattering: {', '.join(skin)}")
+    typer.echo(f"materials without scattering: {', '.join(others) or 'none'}")
 
 
 def _draw(

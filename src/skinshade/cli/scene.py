@@ -12,7 +12,7 @@ import typer
 from .._core.errors import ArgumentError
 from .._core.units import parse_unit_mm
 from ..heads import builtin_head, head_scene, load_head
-from ..heads.portrait import portrait_camera
+from ..heads.portrait import DEFAULT_LIGHT, portrait_camera
 from ..params import SkinParams
 from ..params.choices import ToneCurve
 from ..params.fields import meaning
@@ -52,6 +52,13 @@ class ModelOptions:
     flip_v: Annotated[bool, typer.Option("--flip-v", help="The model's v increases upwards.")] = (
         False
     )
+    skin_material: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="Name of a material of the model that is skin, with * for any text; repeat it for"
+            " several. By default, hair, eyes and the like are told by their names."
+        ),
+    ] = None
 
     @property
     def is_scene_file(self) -> bool:
@@ -73,6 +80,7 @@ class ModelOptions:
             "--albedo": self.albedo is not None,
             "--normal-map": self.normal_map is not None,
             "--flip-v": self.flip_v,
+            "--skin-material": bool(self.skin_material),
         }
         for option, is_given in options.items():
             if is_given:
@@ -113,6 +121,13 @@ class LightOptions:
             " JSON; repeat it for several lights."
         ),
     ] = None
+    light_from_camera: Annotated[
+        bool,
+        typer.Option(
+            "--light-from-camera",
+            help="The angles of --light start at the camera, not at the head.",
+        ),
+    ] = False
     env: Annotated[
         Path | None, typer.Option(help="Equirectangular image that lights the head.")
     ] = None
@@ -149,6 +164,8 @@ def build_scene(model: ModelOptions, material: MaterialOptions, light: LightOpti
 
 def _scene_from_file(model: ModelOptions, light: LightOptions) -> Scene:
     assert model.model is not None
+    if light.light_from_camera:
+        raise ArgumentError("--light-from-camera has no effect on a scene in JSON")
     scene = load_scene(model.model, lights=light.light)
     if light.view is None:
         return scene
@@ -160,7 +177,9 @@ def _portrait(model: ModelOptions, light: LightOptions) -> Scene:
     lights = [
         DirectionalLight.from_angles(*parse_numbers(text, 3, "--light"))
         for text in light.light or ()
-    ]
+    ] or [DEFAULT_LIGHT]
+    if light.light_from_camera:
+        lights = [entry.turned(yaw, pitch) for entry in lights]
     if model.model is None:
         head = builtin_head()
     else:
@@ -170,9 +189,9 @@ def _portrait(model: ModelOptions, light: LightOptions) -> Scene:
             albedo=model.albedo,
             normal_map=model.normal_map,
             flip_v=model.flip_v,
+            skin_material=model.skin_material or (),
         )
-    scene = head_scene(head, yaw_deg=yaw, pitch_deg=pitch)
-    return replace(scene, lights=tuple(lights)) if lights else scene
+    return head_scene(head, yaw_deg=yaw, pitch_deg=pitch, lights=lights)
 
 
 def _with_material(scene: Scene, material: MaterialOptions) -> Scene:
@@ -183,9 +202,7 @@ def _with_material(scene: Scene, material: MaterialOptions) -> Scene:
     )
     profile = changes.pop("profile", None)
     scene = scene.with_params(**changes)
-    if profile is None:
-        return scene
-    return replace(scene, material=replace(scene.material, profile=Profile.preset(profile)))
+    return scene if profile is None else scene.with_profile(Profile.preset(profile))
 
 
 def _with_environment(scene: Scene, light: LightOptions) -> Scene:

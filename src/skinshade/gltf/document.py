@@ -157,10 +157,8 @@ class GltfDocument:
                 raise MeshFileError(f"{self.path}: buffer {index} has neither a uri nor a chunk")
         elif not isinstance(uri, str):
             raise MeshFileError(f"{self.path}: buffer {index}: uri is {uri!r}; it must be text")
-        elif uri.startswith("data:"):
-            data = self._data_uri(uri, index)
         else:
-            data = self._read_file(uri, index)
+            data = self.resource(uri, f"buffer {index}")
         length = entry.get("byteLength")
         if not isinstance(length, int) or isinstance(length, bool) or not 1 <= length <= len(data):
             raise MeshFileError(
@@ -168,21 +166,30 @@ class GltfDocument:
             )
         return data
 
-    def _read_file(self, uri: str, index: int) -> bytes:
+    def resource(self, uri: str, name: str) -> bytes:
+        """Return the bytes of a data URI, or of a file beside the document; `name` is for error messages.
+
+        Raises
+        ------
+        MeshFileError
+            If the data are malformed, or the file is missing or outside the asset's folder.
+        """
+        if uri.startswith("data:"):
+            return self._data_uri(uri, name)
         try:
             return existing_file(self._file_of(uri), MeshFileError).read_bytes()
         except MeshFileError as error:
             text = str(error).removeprefix(f"{self.path}: ")
-            raise MeshFileError(f"{self.path}: buffer {index}: {text}") from None
+            raise MeshFileError(f"{self.path}: {name}: {text}") from None
 
-    def _data_uri(self, uri: str, index: int) -> bytes:
+    def _data_uri(self, uri: str, name: str) -> bytes:
         head, comma, text = uri.partition(",")
         if not comma or not head.endswith(";base64"):
-            raise MeshFileError(f"{self.path}: buffer {index}: its data URI is not base64")
+            raise MeshFileError(f"{self.path}: {name}: its data URI is not base64")
         try:
             return base64.b64decode(unquote(text) if "%" in text else text, validate=True)
         except (binascii.Error, ValueError) as error:
-            raise MeshFileError(f"{self.path}: buffer {index}: {error}") from None
+            raise MeshFileError(f"{self.path}: {name}: {error}") from None
 
     def _name_of(self, uri: str) -> Path:
         """Return the name of a relative URI, which must not lead out of the document's folder on the way."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -37,6 +37,8 @@ class TriangleSet:
         (V, 2), v down, or None.
     attributes
         Custom attributes (V, n) by their names in the document.
+    materials
+        (F,) number of every face's material, −1 for none; None if the format has no materials.
     """
 
     positions: FloatArray
@@ -44,6 +46,7 @@ class TriangleSet:
     normals: FloatArray | None
     uvs: FloatArray | None
     attributes: Mapping[str, FloatArray] = field(default_factory=dict)
+    materials: IntArray | None = None
 
 
 @dataclass(frozen=True)
@@ -105,6 +108,7 @@ def read_mesh(
     parts: list[Part] = []
     tables: list[dict[str, FloatArray]] = []
     faces: list[IntArray] = []
+    materials: list[IntArray] = []
     known: dict[str, slice] = {}
     start = 0
     for number, primitive in _triangle_primitives(gltf, index):
@@ -124,10 +128,11 @@ def read_mesh(
         if corners is None:
             corners = read_triangles(gltf, primitive, vertices.stop - vertices.start, where)
         faces.append(corners + vertices.start)
+        materials.append(np.full(len(corners), _material(gltf, primitive, where), dtype=np.int64))
         parts.append(Part(number, vertices))
     if not sum(map(len, faces)):
         return None
-    return parts, _triangle_set(tables, np.concatenate(faces))
+    return parts, _triangle_set(tables, np.concatenate(faces), np.concatenate(materials))
 
 
 def read_scene(gltf: GltfDocument, *, custom: bool = False) -> list[Placed]:
@@ -179,9 +184,15 @@ def geometry_key(gltf: GltfDocument, index: int) -> str:
 
 
 def joined(sets: Sequence[TriangleSet]) -> TriangleSet:
-    """Return one set of all triangles. Normals, UVs or attributes that one set lacks are left out."""
+    """Return one set of all triangles.
+
+    Normals and UVs that a part of the sets lacks are 0 there. Attributes that one set lacks, and materials
+    that one set lacks, are left out.
+    """
     if len(sets) == 1:
         return sets[0]
+    counts = [len(part.positions) for part in sets]
+    materials = [part.materials for part in sets if part.materials is not None]
     starts = np.cumsum([0, *(len(part.positions) for part in sets[:-1])])
     shared = set.intersection(
         *({(name, v.shape[1]) for name, v in part.attributes.items()} for part in sets)
@@ -189,12 +200,13 @@ def joined(sets: Sequence[TriangleSet]) -> TriangleSet:
     return TriangleSet(
         np.concatenate([part.positions for part in sets]),
         np.concatenate([part.faces + start for part, start in zip(sets, starts, strict=True)]),
-        _all_or_none([part.normals for part in sets]),
-        _all_or_none([part.uvs for part in sets]),
+        _any_or_none([part.normals for part in sets], counts),
+        _any_or_none([part.uvs for part in sets], counts),
         {
             name: np.concatenate([part.attributes[name] for part in sets])
             for name, _ in sorted(shared)
         },
+        np.concatenate(materials) if len(materials) == len(sets) else None,
     )
 
 
@@ -209,7 +221,7 @@ def _placed(triangles: TriangleSet, matrix: FloatArray) -> TriangleSet:
             normals = normals @ (-cofactors if mirrored else cofactors).T
         positions = triangles.positions @ rows.T + matrix[:3, 3]
     faces = triangles.faces[:, ::-1] if mirrored else triangles.faces
-    return TriangleSet(positions, faces, normals, triangles.uvs, triangles.attributes)
+    return replace(triangles, positions=positions, faces=faces, normals=normals)
 
 
 def _vertex_key(primitive: dict[str, Any], names: Iterable[str]) -> str:
@@ -270,15 +282,41 @@ def _read_attributes(
     return table
 
 
-def _triangle_set(tables: Sequence[Mapping[str, FloatArray]], faces: IntArray) -> TriangleSet:
+def _material(gltf: GltfDocument, primitive: dict[str, Any], where: str) -> int:
+    """Return the index of a primitive's material, or −1."""
+    index: int = primitive.get("material", -1)
+    if index != -1:
+        gltf.item("materials", index, where)
+    return index
+
+
+def _triangle_set(
+    tables: Sequence[Mapping[str, FloatArray]], faces: IntArray, materials: IntArray
+) -> TriangleSet:
     positions = np.concatenate([table["POSITION"] for table in tables])
+    counts = [len(table["POSITION"]) for table in tables]
     normals, uvs = (
-        _all_or_none([table.get(name) for table in tables]) for name in ("NORMAL", "TEXCOORD_0")
+        _any_or_none([table.get(name) for table in tables], counts)
+        for name in ("NORMAL", "TEXCOORD_0")
     )
     names = [name for name in tables[0] if name not in WIDTHS]
     columns = {name: _all_or_none([table.get(name) for table in tables]) for name in names}
     attributes = {name: values for name, values in columns.items() if values is not None}
-    return TriangleSet(positions, faces, normals, uvs, attributes)
+    return TriangleSet(positions, faces, normals, uvs, attributes, materials)
+
+
+def _any_or_none(arrays: Sequence[FloatArray | None], counts: Sequence[int]) -> FloatArray | None:
+    """Return the arrays (n, width) in one, with 0 for those that are missing; None if all are missing."""
+    widths = {array.shape[1] for array in arrays if array is not None}
+    if len(widths) != 1:
+        return None
+    width = widths.pop()
+    return np.concatenate(
+        [
+            np.zeros((count, width)) if array is None else array
+            for array, count in zip(arrays, counts, strict=True)
+        ]
+    )
 
 
 def _all_or_none(arrays: Sequence[FloatArray | None]) -> FloatArray | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..mesh import Mesh
-from ..scene import Material
+from ..scene import Material, Part
 
 __all__ = ["Head"]
 
@@ -20,6 +20,8 @@ class Head:
         Geometry.
     material
         Profile, parameters and maps of its skin.
+    parts
+        Parts with materials of their own, such as hair and eyes.
 
     Examples
     --------
@@ -30,3 +32,4 @@ class Head:
 
     mesh: Mesh
     material: Material
+    parts: tuple[Part, ...] = ()

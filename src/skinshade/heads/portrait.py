@@ -60,6 +60,7 @@ def head_scene(
         tuple(lights),
         Environment.studio(scale=0.55) if environment is None else environment,
         np.asarray(background, dtype=np.float64),
+        parts=head.parts,
     )
 
 

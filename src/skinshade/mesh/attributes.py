@@ -11,7 +11,7 @@ from .diffusion import diffuse_on_mesh
 from .model import Mesh
 from .normals import tangent_frame, vertex_tangents
 
-__all__ = ["vertex_attributes"]
+__all__ = ["plain_attributes", "vertex_attributes"]
 
 DIFFUSION_TOLERANCE = 1e-4
 """Tolerance of diffused normals: a tenth of a step of eight bits in the picture."""
@@ -52,6 +52,18 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
         curvature = mesh_curvature(points, mesh.faces, mesh.normals)
     fields = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
     diffused = diffuse_on_mesh(points, mesh.faces, fields, profile, tolerance=DIFFUSION_TOLERANCE)
+    return {
+        **plain_attributes(mesh),
+        "curvature": curvature[:, None],
+        "tensor": tensor,
+        "diffused_normals": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
+        "diffused_curvature": diffused[:, 3],
+    }
+
+
+def plain_attributes(mesh: Mesh) -> dict[str, FloatArray]:
+    """Return the attributes that shading without scattering needs: the first four of `vertex_attributes`."""
+    points = mesh.positions_mm
     if mesh.uvs is None:
         uv = np.zeros((len(points), 2))
         tangent = np.concatenate(
@@ -60,13 +72,4 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
     else:
         uv = mesh.uvs
         tangent = vertex_tangents(points, mesh.normals, mesh.uvs, mesh.faces)
-    return {
-        "position": points,
-        "normal": mesh.normals,
-        "tangent": tangent,
-        "uv": uv,
-        "curvature": curvature[:, None],
-        "tensor": tensor,
-        "diffused_normals": diffused[:, :3].swapaxes(1, 2).reshape(-1, 9),
-        "diffused_curvature": diffused[:, 3],
-    }
+    return {"position": points, "normal": mesh.normals, "tangent": tangent, "uv": uv}

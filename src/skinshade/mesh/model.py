@@ -49,6 +49,8 @@ class Mesh:
         Further per-vertex values by name, (V,) or (V, n).
     repairs
         Counts of repairs and faults, by their names.
+    materials
+        (F,) number of every face's material in the file, −1 for none; None if the file has no materials.
     """
 
     positions: FloatRows
@@ -58,6 +60,7 @@ class Mesh:
     uvs: FloatRows | None = None
     attributes: Mapping[str, FloatArray] = field(default_factory=dict)
     repairs: Mapping[str, int] = field(default_factory=dict)
+    materials: IntArray | None = None
 
     @classmethod
     def checked(
@@ -69,6 +72,7 @@ class Mesh:
         normals: ArrayLike | None = None,
         uvs: ArrayLike | None = None,
         attributes: Mapping[str, ArrayLike] | None = None,
+        materials: ArrayLike | None = None,
         keep_vertices: bool = False,
         name: str = "mesh",
     ) -> Mesh:
@@ -93,6 +97,8 @@ class Mesh:
             (V, 2) texture coordinates, v down (glTF).
         attributes
             Further per-vertex values by name, (V,) or (V, n).
+        materials
+            (F,) number of every face's material, −1 for none.
         keep_vertices
             Keep vertices that no face uses, so that every vertex keeps its index.
         name
@@ -126,7 +132,12 @@ class Mesh:
         coordinates = None if uvs is None else as_floats(f"{name}: uvs", uvs, (count, 2))
 
         repairs: dict[str, int] = {}
-        triangles = _usable_faces(points, triangles, repairs, name)
+        kept = _usable_faces(points, triangles, repairs, name)
+        groups = None
+        if materials is not None:
+            numbers = as_floats(f"{name}: materials", materials, (triangles.shape[0],))
+            groups = numbers.astype(np.int64)[kept]
+        triangles = triangles[kept]
         given = _given_normals(normals, count, name)
         used = np.zeros(count, dtype=bool)
         used[triangles] = True
@@ -146,6 +157,7 @@ class Mesh:
             coordinates,
             columns,
             {key: value for key, value in repairs.items() if value},
+            groups,
         )
 
     @property
@@ -224,18 +236,17 @@ def _complete_normals(
 def _usable_faces(
     points: FloatArray, triangles: IntArray, repairs: dict[str, int], name: str
 ) -> IntArray:
-    """Return the faces that have an area, each once; count those that are dropped."""
-    flat = face_areas(points, triangles) <= 0.0
-    if flat.any():
-        repairs["faces without area dropped"] = int(flat.sum())
-        triangles = triangles[~flat]
-    if triangles.shape[0] == 0:
+    """Return the indices of faces that have an area, each face once; count those that are dropped."""
+    usable = np.flatnonzero(face_areas(points, triangles) > 0.0)
+    if usable.size == 0:
         raise MeshError(f"{name}: no face has an area")
-    kept = _first_of_equal(triangles, len(points))
-    if kept.size < triangles.shape[0]:
-        repairs["repeated faces dropped"] = int(triangles.shape[0] - kept.size)
-        triangles = triangles[kept]
-    return triangles
+    kept = usable[_first_of_equal(triangles[usable], len(points))]
+    dropped = {
+        "faces without area dropped": triangles.shape[0] - usable.size,
+        "repeated faces dropped": usable.size - kept.size,
+    }
+    repairs.update({repair: count for repair, count in dropped.items() if count})
+    return kept
 
 
 def _first_of_equal(triangles: IntArray, vertex_count: int) -> IntArray:

@@ -101,6 +101,7 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
             normals=triangles.normals,
             uvs=triangles.uvs,
             attributes={name: _narrow(v) for name, v in triangles.attributes.items()},
+            materials=triangles.materials,
             name=str(file),
         )
     except SkinshadeError as error:

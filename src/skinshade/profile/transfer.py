@@ -230,6 +230,13 @@ class Profile:
         """
         return cls(TabulatedKernel.checked(edges_mm, flux), _albedo(albedo))
 
+    def equals(self, other: Profile) -> bool:
+        """Return whether the `other` profile scatters alike: the same albedo and transfer function."""
+        frequencies = np.geomspace(1e-3, 1e3, 64)
+        return np.array_equal(self.albedo, other.albedo) and np.array_equal(
+            self.transfer(frequencies), other.transfer(frequencies)
+        )
+
     def transfer(self, k_per_mm: ArrayLike) -> FloatArray:
         """Return T(k), the 2-D Hankel transform of R; T(0) = 1.
 

@@ -5,6 +5,7 @@ from .environment import Environment
 from .json import load_scene
 from .lights import DirectionalLight, Light, SpotLight
 from .material import Material
+from .part import Part
 from .scene import Scene
 
 __all__ = [
@@ -13,6 +14,7 @@ __all__ = [
     "Environment",
     "Light",
     "Material",
+    "Part",
     "Scene",
     "SpotLight",
     "load_scene",

@@ -18,12 +18,14 @@ from ..mesh import Mesh, load_mesh
 from ..params import SkinParams
 from ..params.choices import ToneCurve
 from ..profile import Profile
+from .asset_parts import asset_parts
 from .camera import Camera
 from .environment import Environment
 from .images import read_image, read_linear
 from .lights import DirectionalLight, Light, SpotLight
 from .maps import read_normal_map
 from .material import Material
+from .part import Part
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -110,10 +112,13 @@ def _message(error: ValidationError) -> str:
 
 def _scene(description: SceneFile, folder: Path, names: Sequence[str] | None) -> Scene:
     mesh = load_mesh(folder / description.mesh.path, unit_mm=description.unit_mm)
+    mesh, parts = _with_parts(description, folder, mesh)
     v_up = _maps_run_up(description)
     if v_up and mesh.uvs is not None:
         mesh = mesh.with_uvs_flipped()
+        parts = [part.with_maps_flipped() for part in parts]
     unit, camera = mesh.unit_mm, description.camera
+    material = _material(description.material, folder, mesh, v_up)
     return Scene(
         mesh,
         Camera(
@@ -122,13 +127,33 @@ def _scene(description: SceneFile, folder: Path, names: Sequence[str] | None) ->
             camera.vertical_fov_deg,
             np.array(camera.up),
         ),
-        _material(description.material, folder, mesh, v_up),
+        material,
         tuple(_light(light, unit) for light in _enabled(description, names)),
         _environment(description, folder),
         np.array(description.background),
         description.tone.exposure,
         ToneCurve(description.tone.curve),
+        tuple(_with_skin_of(part, material) for part in parts),
     )
+
+
+def _with_parts(description: SceneFile, folder: Path, mesh: Mesh) -> tuple[Mesh, list[Part]]:
+    """Return the mesh, and its parts if it has several materials; the first skin has the scene's material."""
+    names = description.mesh.skin_materials
+    if mesh.materials is None or len(np.unique(mesh.materials)) == 1:
+        if names:
+            raise ArgumentError("mesh.skin_materials: the model does not have several materials")
+        return mesh, []
+    mesh, _, parts = asset_parts(folder / description.mesh.path, mesh, names)
+    return mesh, parts
+
+
+def _with_skin_of(part: Part, material: Material) -> Part:
+    """Return a part; skin has the profile and the parameters of the scene's material."""
+    if not part.is_skin:
+        return part
+    own = replace(part.material, profile=material.profile, params=material.params)
+    return replace(part, material=own)
 
 
 def _maps_run_up(description: SceneFile) -> bool:

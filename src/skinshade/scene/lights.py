@@ -69,6 +69,14 @@ class DirectionalLight:
         """
         return cls(direction_of(yaw_deg, pitch_deg), np.full(3, np.pi * intensity))
 
+    def turned(self, yaw_deg: float, pitch_deg: float) -> DirectionalLight:
+        """Return the light turned from the front towards a camera at `yaw_deg` and `pitch_deg`, degrees."""
+        yaw, pitch = np.radians(yaw_deg), np.radians(pitch_deg)
+        x, y, z = self.to_light
+        y, z = y * np.cos(pitch) + z * np.sin(pitch), z * np.cos(pitch) - y * np.sin(pitch)
+        x, z = x * np.cos(yaw) + z * np.sin(yaw), z * np.cos(yaw) - x * np.sin(yaw)
+        return DirectionalLight(np.array([x, y, z]), self.irradiance)
+
     def at(self, position_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return direction (..., 3) and irradiance (..., 3) at positions (..., 3)."""
         return (

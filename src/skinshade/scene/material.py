@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -30,6 +31,8 @@ class Material:
         (H, W, 3) tangent-space normals in −1..1, +y up in the picture; None for the mesh's normals.
     specular
         (H, W, 2) factor on the reflectance, and gloss 0..1; None for the values of `params`.
+    name
+        Name of the material in its file; may be empty.
     deep_scatter
         (H, W, 3) linear tint of light that comes through the body, 0..1; None for white.
 
@@ -48,6 +51,7 @@ class Material:
     normal: ImageArray | None = None
     specular: ImageArray | None = None
     deep_scatter: ImageArray | None = None
+    name: str = ""
 
     def __post_init__(self) -> None:
         for name, channels in (("albedo", 3), ("normal", 3), ("specular", 2), ("deep_scatter", 3)):
@@ -65,6 +69,15 @@ class Material:
     def has_maps(self) -> bool:
         """Whether a map has more than one texel, so that the mesh needs UVs."""
         return any(image.shape[:2] != (1, 1) for image in self._maps().values())
+
+    def with_maps_flipped(self) -> Material:
+        """Return the material with maps for a mesh whose v is reversed."""
+        maps: dict[str, Any] = {
+            name: np.ascontiguousarray(image[::-1]) for name, image in self._maps().items()
+        }
+        if self.normal is not None:
+            maps["normal"] = maps["normal"] * np.array([1.0, -1.0, 1.0], dtype=np.float32)
+        return replace(self, **maps)
 
     def _maps(self) -> dict[str, ImageArray]:
         names = ("albedo", "normal", "specular", "deep_scatter")

@@ -1,7 +1,8 @@
-"""Scenes: a body with its material, lights, environment and camera."""
+"""Scenes: a body with its materials, lights, environment and camera."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,10 +11,12 @@ from .._core.errors import ArgumentError
 from .._core.notebook import table_html
 from ..mesh import Mesh
 from ..params.choices import ToneCurve
+from ..profile import Profile
 from .camera import Camera
 from .environment import Environment
 from .lights import Light
 from .material import Material
+from .part import Part
 
 __all__ = ["Scene"]
 
@@ -40,6 +43,8 @@ class Scene:
         Factor on light before the tone curve, ≥ 0.
     tone
         Tone curve, ``filmic`` or ``srgb``.
+    parts
+        Parts of the body with materials of their own; `material` applies to the other faces.
 
     Examples
     --------
@@ -57,18 +62,45 @@ class Scene:
     background: FloatVector = (0.05, 0.05, 0.05)  # type: ignore[assignment]  # converted in __post_init__
     exposure: float = 1.0
     tone: ToneCurve = ToneCurve.FILMIC
+    parts: tuple[Part, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "background", as_rgb("background", self.background, low=0.0))
         as_floats("exposure", self.exposure, (), low=0.0)
         object.__setattr__(self, "tone", ToneCurve.of(self.tone, "tone"))
-        if self.mesh.uvs is None and self.material.has_maps:
+        materials = [self.material, *(part.material for part in self.parts)]
+        if self.mesh.uvs is None and any(material.has_maps for material in materials):
             raise ArgumentError("the mesh has no UVs, which the maps of the material need")
+        self._check_parts()
+
+    def _check_parts(self) -> None:
+        numbers = [part.number for part in self.parts]
+        if len(set(numbers)) < len(numbers):
+            raise ArgumentError(f"parts have the numbers {numbers}; every number occurs once")
+        if self.parts and self.mesh.materials is None:
+            raise ArgumentError("the mesh has no material numbers, which parts need")
+        for part in self.parts:
+            if part.is_skin and not part.material.profile.equals(self.material.profile):
+                raise ArgumentError(
+                    f"part {part.name!r}: all skin of a scene has one profile; see with_profile"
+                )
 
     def with_params(self, **changes: Any) -> Scene:
-        """Return the scene with `changes` to the `SkinParams` of its material."""
-        params = replace(self.material.params, **changes)
-        return replace(self, material=replace(self.material, params=params))
+        """Return the scene with `changes` to the `SkinParams` of its skin."""
+        return self._with_skin(
+            lambda material: replace(material, params=replace(material.params, **changes))
+        )
+
+    def with_profile(self, profile: Profile) -> Scene:
+        """Return the scene with another `profile` for its skin."""
+        return self._with_skin(lambda material: replace(material, profile=profile))
+
+    def _with_skin(self, change: Callable[[Material], Material]) -> Scene:
+        parts = tuple(
+            replace(part, material=change(part.material)) if part.is_skin else part
+            for part in self.parts
+        )
+        return replace(self, material=change(self.material), parts=parts)
 
     def __repr__(self) -> str:
         lights = ", ".join(type(light).__name__ for light in self.lights) or "no lights"

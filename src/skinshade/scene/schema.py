@@ -70,6 +70,11 @@ class MeshFile(_Model):
 
     path: Path
     credit: str = Field("", description="Credit to show with every picture.")
+    skin_materials: list[str] = Field(
+        [],
+        description="Names of the materials of a glTF model that are skin, with * for any text."
+        " By default, hair, eyes and the like are recognised by their names.",
+    )
 
 
 class PresetProfile(_Model):

@@ -158,3 +158,15 @@ def test_the_shadow_map_of_a_spot_light_contains_the_points_that_it_lights(seed)
 def test_a_wrong_value_of_a_light_is_an_error_that_names_it(build, message):
     with pytest.raises(ArgumentError, match=message):
         build()
+
+
+@pytest.mark.parametrize(("yaw", "pitch"), [(0.0, 0.0), (90.0, 0.0), (-150.0, 40.0), (10.0, -80.0)])
+def test_a_turned_light_keeps_its_angle_to_the_camera(yaw, pitch):
+    light = DirectionalLight.from_angles(-38.0, 26.0, 1.0)
+    front = direction_of(0.0, 0.0)
+    turned = light.turned(yaw, pitch)
+    assert turned.to_light @ direction_of(yaw, pitch) == pytest.approx(light.to_light @ front)
+    assert np.linalg.norm(turned.to_light) == pytest.approx(1.0)
+    # In the picture, the light stays on its side: right and up of the camera turn alike.
+    right = direction_of(yaw + 90.0, 0.0)
+    assert turned.to_light @ right == pytest.approx(light.to_light @ direction_of(90.0, 0.0))

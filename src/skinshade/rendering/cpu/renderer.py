@@ -8,10 +8,11 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..._core.arrays import FloatArray, ImageArray, dot
+from ..._core.arrays import FloatArray, ImageArray, IntArray, dot
 from ..._core.progress import Progress, silent
-from ...params.choices import TERM_VIEWS, ShadowFilter, View
+from ...params.choices import TERM_VIEWS, MaterialMap, ShadowFilter, View
 from ...scene import Camera, Light, Scene
 from ...shading.compose import shade
 from ...shading.image_light import reflected_radiance
@@ -20,6 +21,7 @@ from ...shading.shadow import DARK_BEYOND
 from ...shading.skin import Skin
 from ...shading.specular import reflected
 from ..backend import Renderer
+from ..prepare.parts import PreparedPart
 from ..prepare.rasterizer import Fragments, rasterize
 from ..prepare.samples import sample_offsets
 from ..prepare.scene import prepare_scene
@@ -43,12 +45,15 @@ Filters = Mapping[ShadowFilter, Sequence[WideFilter]]
 
 @dataclass(frozen=True)
 class _Request:
-    """Request for several pictures of one view, with all tables and filters that they need."""
+    """Request for several pictures of one view, with all tables and filters that they need.
+
+    `skins` has the material of each part.
+    """
 
     camera: Camera
     samples: int
     settings: Sequence[RenderSettings]
-    skin: Skin
+    skins: Sequence[Skin]
     filters: Filters
 
 
@@ -67,7 +72,7 @@ class CpuRenderer(Renderer):
         self.scene = scene
         self.prepared = prepare_scene(scene, progress)
         self._progress = progress
-        self._skin = self.prepared.skin
+        self._skins = [part.skin for part in self.prepared.parts]
         self._filters: Filters = {}
         if self.prepared.closer_filters:
             self._filters = {ShadowFilter.PERCENTAGE_CLOSER: self.prepared.closer_filters}
@@ -91,6 +96,9 @@ class CpuRenderer(Renderer):
     ) -> list[ImageArray]:
         """Draw one view with several settings; each sample is rasterised once for all of them."""
         width, height = size
+        vertices = self.prepared.vertices
+        has_opacity = any(part.opacity is not None for part in self.prepared.parts)
+        hidden = self._hidden if has_opacity else None
         request = self._request(camera, samples, settings)
         totals = np.zeros((len(settings), height * width, 3))
         coverage = np.zeros(height * width)
@@ -98,10 +106,14 @@ class CpuRenderer(Renderer):
         with ThreadPoolExecutor(max(1, os.cpu_count() or 1)) as pool:
             for index, offset in enumerate(sample_offsets(samples, settings[0].seed)):
                 self._progress("shading", index / samples)
-                fragments = rasterize(clip, self.scene.mesh.faces, size, offset)
-                chunks = list(_chunks(fragments))
-                shaded = pool.map(lambda chunk: self._shade(chunk, request), chunks)
-                for chunk, colours in zip(chunks, shaded, strict=True):
+                fragments = rasterize(clip, vertices.faces, size, offset, hidden)
+                chunks = [
+                    (index, chunk)
+                    for index, part in enumerate(self.prepared.parts)
+                    for chunk in _chunks(_of_part(fragments, part))
+                ]
+                shaded = pool.map(lambda pair: self._shade(pair[0], pair[1], request), chunks)
+                for (_, chunk), colours in zip(chunks, shaded, strict=True):
                     coverage[chunk.pixel] += 1.0
                     for total, colour in zip(totals, colours, strict=True):
                         total[chunk.pixel] += colour
@@ -118,35 +130,56 @@ class CpuRenderer(Renderer):
         self, camera: Camera, samples: int, settings: Sequence[RenderSettings]
     ) -> _Request:
         """Return a request; its missing tables and filters are built here, before threads start."""
-        luts = {name for setting in settings for name in setting.luts}
         fetches = {setting.normal_fetches for setting in settings}
-        self._skin = self._skin.including(sorted(luts), sorted(fetches))
-        width = self._skin.params.shadow_filter_width_mm
+        for index, part in enumerate(self.prepared.parts):
+            luts = {name for setting in settings for name in part.settings(setting).luts}
+            self._skins[index] = self._skins[index].including(sorted(luts), sorted(fetches))
+        width = self.scene.material.params.shadow_filter_width_mm
         for kind in {setting.shadow_filter for setting in settings} - set(self._filters):
             filters = [
                 build_filter(kind, shadow_map, width) for shadow_map in self.prepared.shadow_maps
             ]
             self._filters = {**self._filters, kind: filters}
-        return _Request(camera, samples, settings, self._skin, self._filters)
+        return _Request(camera, samples, settings, tuple(self._skins), self._filters)
 
     def _clip(self, camera: Camera, size: tuple[int, int]) -> FloatArray:
         matrix = camera.view_projection(size[0] / size[1])
         return self.scene.mesh.positions_mm @ matrix[:, :3].T + matrix[:, 3]
 
-    def _shade(self, chunk: Fragments, request: _Request) -> list[FloatArray]:
-        """Return the colours (N, 3) of a chunk of pixels for each of the settings."""
+    def _hidden(self, face: IntArray, barycentric: FloatArray) -> NDArray[np.bool_] | None:
+        """Return which points on faces (N,) show nothing because of their opacity; None if all show."""
+        hidden = None
+        for part in self.prepared.parts:
+            if part.opacity is None:
+                continue
+            own = np.flatnonzero(_within(part, face))
+            if not own.size:
+                continue
+            corners = self.prepared.vertices.faces[face[own]]
+            uv = self.prepared.vertices.column("uv")[corners]
+            uv = np.einsum("ni,nik->nk", barycentric[own], uv)
+            opacity = part.textures[MaterialMap.ALBEDO].sample(uv, np.zeros(own.size))[:, 3]
+            hidden = np.zeros(face.size, dtype=bool) if hidden is None else hidden
+            hidden[own] = opacity < part.opacity_cutoff
+        return hidden
+
+    def _shade(self, index: int, chunk: Fragments, request: _Request) -> list[FloatArray]:
+        """Return the colours (N, 3) of a chunk of a part's pixels for each of the settings."""
+        part, skin = self.prepared.parts[index], request.skins[index]
+        settings = [part.settings(setting) for setting in request.settings]
         columns = self.prepared.vertices.interpolated(chunk.face, chunk.barycentric)
         surfaces = {
             fetches: pixel_surface(
-                self.prepared,
-                request.skin,
+                part,
+                self.prepared.vertices,
+                skin,
                 chunk,
                 columns,
                 request.camera,
                 request.samples,
                 fetches,
             )
-            for fetches in {setting.normal_fetches for setting in request.settings}
+            for fetches in {setting.normal_fetches for setting in settings}
         }
         surface = next(iter(surfaces.values()))
         position = columns["position"]
@@ -155,19 +188,19 @@ class CpuRenderer(Renderer):
                 _incident(light, wide_filter, position, surface)
                 for light, wide_filter in zip(self.scene.lights, request.filters[kind], strict=True)
             ]
-            for kind in {setting.shadow_filter for setting in request.settings}
+            for kind in {setting.shadow_filter for setting in settings}
         }
         to_light = [light.to_light for light in next(iter(incident.values()))]
         thicknesses = {
             taps: [
-                _thickness(shadow_map, direction, position, surface, request.skin, taps)
+                _thickness(shadow_map, direction, position, surface, skin, taps)
                 for shadow_map, direction in zip(self.prepared.shadow_maps, to_light, strict=True)
             ]
-            for taps in {setting.thickness_taps for setting in request.settings}
+            for taps in {setting.thickness_taps for setting in settings}
         }
         ambient = self._ambient(columns, surface)
         colours = []
-        for setting in request.settings:
+        for setting in settings:
             lights = [
                 replace(light, thickness_mm=depth)
                 for light, depth in zip(
@@ -177,7 +210,7 @@ class CpuRenderer(Renderer):
                 )
             ]
             colours.append(
-                _colour(request.skin, surfaces[setting.normal_fetches], lights, ambient, setting)
+                _colour(skin, surfaces[setting.normal_fetches], lights, ambient, setting)
             )
         return colours
 
@@ -255,13 +288,17 @@ def _colour(
     return total
 
 
+def _within(part: PreparedPart, face: IntArray) -> NDArray[np.bool_]:
+    """Return which faces (N,) belong to a part."""
+    return (face >= part.first_face) & (face < part.first_face + part.face_count)
+
+
+def _of_part(fragments: Fragments, part: PreparedPart) -> Fragments:
+    """Return the fragments of a part."""
+    own = _within(part, fragments.face)
+    return fragments if own.all() else fragments.chosen(own)
+
+
 def _chunks(fragments: Fragments) -> Iterator[Fragments]:
     for start in range(0, fragments.pixel.size, CHUNK):
-        part = slice(start, start + CHUNK)
-        yield Fragments(
-            fragments.pixel[part],
-            fragments.face[part],
-            fragments.barycentric[part],
-            fragments.along_x[part],
-            fragments.along_y[part],
-        )
+        yield fragments.chosen(slice(start, start + CHUNK))

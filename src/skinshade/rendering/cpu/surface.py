@@ -13,14 +13,16 @@ from ...shading.normals import blur_level
 from ...shading.pixel import Surface
 from ...shading.skin import Skin
 from ...shading.specular import gloss_of_relief
+from ..prepare.attributes import VertexTable
+from ..prepare.parts import PreparedPart
 from ..prepare.rasterizer import Fragments
-from ..prepare.scene import PreparedScene
 
 __all__ = ["pixel_surface"]
 
 
 def pixel_surface(
-    prepared: PreparedScene,
+    part: PreparedPart,
+    vertices: VertexTable,
     skin: Skin,
     fragments: Fragments,
     columns: Mapping[str, FloatArray],
@@ -32,10 +34,12 @@ def pixel_surface(
 
     Parameters
     ----------
-    prepared
-        The scene.
+    part
+        Part of the body that the fragments belong to.
+    vertices
+        Vertex attributes.
     skin
-        Material of the scene, with the weights of the fetches.
+        Material of the part, with the weights of the fetches.
     fragments
         Visible faces of the pixels.
     columns
@@ -48,24 +52,24 @@ def pixel_surface(
     fetches
         Fetches of the normal map, 2 or 3.
     """
-    footprint = _Footprint(prepared, fragments, columns["uv"], samples)
+    footprint = _Footprint(part, vertices, fragments, columns["uv"], samples)
     params, count = skin.params, fragments.pixel.size
     # Interpolation between vertices shortens normals; this shortening is not relief.
     length = np.maximum(np.sqrt(dot(columns["normal"], columns["normal"])), 1e-3)
     normal = unit_vectors(columns["normal"])
     gloss, reflectance = np.full(count, params.gloss), np.full(count, params.reflectance)
-    if MaterialMap.SPECULAR in prepared.textures:
+    if MaterialMap.SPECULAR in part.textures:
         factor, gloss = footprint.fetch(MaterialMap.SPECULAR).T
         reflectance = params.reflectance * factor
-    albedo = prepared.scene.material.albedo
-    if prepared.textures[MaterialMap.ALBEDO].size > 1:
-        colour = footprint.fetch(MaterialMap.ALBEDO)
+    if part.textures[MaterialMap.ALBEDO].size > 1:
+        colour = footprint.fetch(MaterialMap.ALBEDO)[:, :3]
     else:
-        colour = np.repeat(albedo.reshape(1, 3).astype(np.float64), count, axis=0)
+        albedo = part.material.albedo.reshape(1, 3).astype(np.float64)
+        colour = np.repeat(albedo, count, axis=0)
     tint = np.ones((count, 3))
-    if MaterialMap.DEEP_SCATTER in prepared.textures:
+    if MaterialMap.DEEP_SCATTER in part.textures:
         tint = footprint.fetch(MaterialMap.DEEP_SCATTER)
-    fetched = _fetched_normals(prepared, skin, footprint, columns["tangent"], normal, fetches)
+    fetched = _fetched_normals(part, skin, footprint, columns["tangent"], normal, fetches)
     return Surface(
         view=unit_vectors(camera.position_mm - columns["position"]),
         mesh_normal=normal,
@@ -86,10 +90,14 @@ class _Footprint:
     """Texture coordinates of pixels and their change from one pixel to the next."""
 
     def __init__(
-        self, prepared: PreparedScene, fragments: Fragments, uv: FloatArray, samples: int
+        self,
+        part: PreparedPart,
+        vertices: VertexTable,
+        fragments: Fragments,
+        uv: FloatArray,
+        samples: int,
     ) -> None:
-        self._textures, self.uv = prepared.textures, uv
-        vertices = prepared.vertices
+        self._textures, self.uv = part.textures, uv
         corners = vertices.column("uv")[vertices.faces[fragments.face]]
         spread = 1.0 / np.sqrt(samples)
         self._along_x = spread * np.einsum("ni,nik->nk", fragments.along_x, corners)
@@ -106,7 +114,7 @@ class _Footprint:
 
 
 def _fetched_normals(
-    prepared: PreparedScene,
+    part: PreparedPart,
     skin: Skin,
     footprint: _Footprint,
     vertex_tangent: FloatArray,
@@ -115,15 +123,15 @@ def _fetched_normals(
 ) -> FloatArray:
     """Return the normals of the sharp and the blurred maps in world axes, (N, fetches, 3), sharp first."""
     sigmas = skin.blend(fetches).sigmas_mm
-    if MaterialMap.NORMAL not in prepared.textures:
+    if MaterialMap.NORMAL not in part.textures:
         return np.repeat(normal[:, None], sigmas.size + 1, axis=1)
     tangent = vertex_tangent[:, :3]
     tangent = unit_vectors(tangent - normal * dot(tangent, normal)[:, None])
     bitangent = np.cross(normal, tangent) * np.sign(vertex_tangent[:, 3:])
     sharp_level = footprint.level(MaterialMap.NORMAL)
-    size = prepared.textures[MaterialMap.NORMAL].size
+    size = part.textures[MaterialMap.NORMAL].size
     levels = [sharp_level]
-    levels += [blur_level(s, prepared.uv_scale_mm, size, sharp_level) for s in sigmas]
+    levels += [blur_level(s, part.uv_scale_mm, size, sharp_level) for s in sigmas]
     fetched = []
     for level in levels:
         t = footprint.fetch(MaterialMap.NORMAL, level)

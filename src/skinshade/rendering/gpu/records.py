@@ -10,6 +10,7 @@ from ..._core.arrays import FloatArray, as_triple
 from ...params import FrameParams, LightParams
 from ...scene import Camera, DirectionalLight, Light
 from ..prepare.light_view import LightView
+from ..prepare.parts import PreparedPart
 from ..prepare.scene import PreparedScene
 
 __all__ = ["frame_params", "light_params"]
@@ -22,6 +23,7 @@ def _quadruple(values: FloatArray) -> tuple[float, float, float, float]:
 
 def frame_params(
     prepared: PreparedScene,
+    part: PreparedPart,
     camera: Camera,
     size: tuple[int, int],
     *,
@@ -33,8 +35,8 @@ def frame_params(
 
     Parameters
     ----------
-    prepared, camera, size
-        Scene, camera of the view, and (width, height).
+    prepared, part, camera, size
+        Scene, part that is drawn, camera of the view, and (width, height).
     samples
         Samples per pixel.
     offset
@@ -67,7 +69,7 @@ def frame_params(
         background=as_triple(scene.background),
         footprint=float(1.0 / np.sqrt(samples)),
         sample_weight=1.0 / samples,
-        uv_scale_mm=prepared.uv_scale_mm,
+        uv_scale_mm=part.uv_scale_mm,
         environment_scale=1.0 if environment is None else float(environment.scale),
         exposure=exposure,
     )

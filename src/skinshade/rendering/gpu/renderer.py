@@ -30,7 +30,7 @@ from ..settings import MULTISAMPLES, RenderSettings
 from ..tone import tone_of
 from .programs import open_program
 from .records import frame_params
-from .resources import Resources
+from .resources import PartResources, SceneResources
 from .shadow_maps import DeviceShadowMaps
 from .skin_pass import SkinPass
 from .targets import DISPLAY, LIGHT, RESOLVED, Targets
@@ -77,8 +77,9 @@ class GpuRenderer(Renderer):
         self._timings_ms: dict[str, list[float]] = {}
         shadow_maps = DeviceShadowMaps(self.device, scene, self._stopwatch)
         self.prepared = self._guarded(lambda: prepare_scene(scene, progress, shadow_maps.rasterize))
-        self._resources = Resources(self.device, self.prepared)
-        self._skin = SkinPass(self._resources, shadow_maps)
+        self._shared = SceneResources(self.device, self.prepared)
+        self._parts = [PartResources(self._shared, part) for part in self.prepared.parts]
+        self._passes = [SkinPass(resources, shadow_maps) for resources in self._parts]
         self._present = open_program(self.device, "present_pass")
         self._targets = Targets(self.device, (1, 1))
         self._groups: dict[tuple[int, int], GPUBindGroup] = {}
@@ -168,16 +169,17 @@ class GpuRenderer(Renderer):
         light = targets.resolved if multisampled else targets.sample
         for index, offset in enumerate(offsets):
             self._progress("shading", index / len(offsets))
-            self._resources.write_frame(
-                frame_params(
+            for resources in self._parts:
+                frame = frame_params(
                     self.prepared,
+                    resources.part,
                     camera,
                     size,
                     samples=len(offsets),
                     offset=offset,
                     exposure=exposure,
                 )
-            )
+                resources.write_frame(frame)
             self._draw_sample(settings, MULTISAMPLES if multisampled else 1)
             if len(offsets) > 1:
                 light = self._add_sample(index)
@@ -194,7 +196,7 @@ class GpuRenderer(Renderer):
         self._read_times()
 
     def _draw_sample(self, settings: RenderSettings, samples: int) -> None:
-        """Draw depth, then skin where it is visible."""
+        """Draw the depth of opaque parts, then all parts where they are visible."""
         targets = self._targets
         encoder = self.device.create_command_encoder()
         depth = {
@@ -203,11 +205,14 @@ class GpuRenderer(Renderer):
             "depth_store_op": "store",
             "depth_clear_value": 1.0,
         }
-        group = self._skin.group(settings)
         render_pass = encoder.begin_render_pass(
             color_attachments=[], depth_stencil_attachment=depth, **self._stopwatch.around("depth")
         )
-        self._draw_body(render_pass, self._skin.depth_pipeline(samples), group)
+        for index, part in enumerate(self.prepared.parts):
+            if part.opacity is None:
+                pipeline = self._passes[index].depth_pipeline(samples)
+                self._draw_part(render_pass, index, pipeline, settings)
+        render_pass.end()
         colour: dict[str, Any] = {
             "view": (targets.multisampled if samples > 1 else targets.sample).create_view(),
             "load_op": "clear",
@@ -222,18 +227,25 @@ class GpuRenderer(Renderer):
             **self._stopwatch.around("skin"),
         )
         kind = RESOLVED if samples > 1 else LIGHT
-        self._draw_body(render_pass, self._skin.pipeline(settings, kind, samples), group)
+        for index, part in enumerate(self.prepared.parts):
+            pipeline = self._passes[index].pipeline(part.settings(settings), kind, samples)
+            self._draw_part(render_pass, index, pipeline, settings)
+        render_pass.end()
         self.device.queue.submit([encoder.finish()])
 
-    def _draw_body(
-        self, render_pass: GPURenderPassEncoder, pipeline: GPURenderPipeline, group: GPUBindGroup
+    def _draw_part(
+        self,
+        render_pass: GPURenderPassEncoder,
+        index: int,
+        pipeline: GPURenderPipeline,
+        settings: RenderSettings,
     ) -> None:
+        part = self.prepared.parts[index]
         render_pass.set_pipeline(pipeline)
-        render_pass.set_bind_group(0, group)
-        render_pass.set_vertex_buffer(0, self._resources.vertices)
-        render_pass.set_index_buffer(self._resources.indices, "uint32")
-        render_pass.draw_indexed(self._resources.corner_count)
-        render_pass.end()
+        render_pass.set_bind_group(0, self._passes[index].group(part.settings(settings)))
+        render_pass.set_vertex_buffer(0, self._shared.vertices)
+        render_pass.set_index_buffer(self._shared.indices, "uint32")
+        render_pass.draw_indexed(3 * part.face_count, 1, 3 * part.first_face)
 
     def _add_sample(self, index: int) -> GPUTexture:
         """Add a sample to the sum of the previous samples, and return the new sum."""
@@ -273,10 +285,10 @@ class GpuRenderer(Renderer):
         if key not in self._groups:
             self._groups[key] = self._present.bind(
                 {
-                    "frame_block": {"buffer": self._resources.frame_block},
+                    "frame_block": {"buffer": self._parts[0].frame_block},
                     "light_texels": light.create_view(),
                     "sum_texels": previous.create_view(),
-                    "sky_texels": self._resources.sky.create_view(),
+                    "sky_texels": self._shared.sky.create_view(),
                 }
             )
         return self._groups[key]

@@ -9,7 +9,7 @@ from ...params.choices import MaterialMap, ShadowFilter
 from ...scene import SpotLight
 from ..settings import RenderSettings
 from .programs import open_program
-from .resources import VERTEX_FLOATS, Resources
+from .resources import VERTEX_FLOATS, PartResources
 from .shadow_maps import DeviceShadowMaps
 
 __all__ = ["SkinPass"]
@@ -24,14 +24,14 @@ class SkinPass:
     Parameters
     ----------
     resources
-        Resources of the scene.
+        Resources of the part that is drawn.
     shadow_maps
         Shadow maps of the scene's lights.
     """
 
-    def __init__(self, resources: Resources, shadow_maps: DeviceShadowMaps) -> None:
+    def __init__(self, resources: PartResources, shadow_maps: DeviceShadowMaps) -> None:
         self._resources, self._shadow_maps = resources, shadow_maps
-        self._program = open_program(resources.device, "skin_pass")
+        self._program = open_program(resources.shared.device, "skin_pass")
         self._groups: dict[RenderSettings, GPUBindGroup] = {}
 
     def depth_pipeline(self, samples: int) -> GPURenderPipeline:
@@ -52,7 +52,8 @@ class SkinPass:
         samples
             Samples per pixel, 1 or 4.
         """
-        scene, textures = self._resources.prepared.scene, self._resources.prepared.textures
+        part, scene = self._resources.part, self._resources.shared.prepared.scene
+        textures = part.textures
         maps = [kind for kind in MaterialMap if kind in textures and textures[kind].size > 1]
         constants = {
             "SHADING": settings.shading.number,
@@ -65,13 +66,15 @@ class SkinPass:
             "FETCHES": settings.normal_fetches if MaterialMap.NORMAL in textures else 1,
             "MULTISAMPLED": int(samples > 1),
             "MAPS": sum(kind.bit for kind in maps),
+            "OPACITY_CUTOFF": round(255.0 * part.opacity_cutoff),
             "SPOT_LIGHTS": int(any(isinstance(light, SpotLight) for light in scene.lights)),
         }
         return self._program.pipeline(
             constants,
             targets=[target],
             vertex_floats=VERTEX_FLOATS,
-            depth="none",
+            # Parts with opacity are not in the depth that was drawn before.
+            depth="none" if part.opacity is None else "less",
             samples=samples,
         )
 
@@ -84,19 +87,20 @@ class SkinPass:
     def _bindings(self, settings: RenderSettings) -> dict[str, Any]:
         """Return every resource of the pass by name."""
         resources, shadow_maps = self._resources, self._shadow_maps
-        device = resources.device
+        shared = resources.shared
+        device = shared.device
         lut_names = [name for name in self._program.points if name.endswith("_lut")]
         textures = {name: resources.lut(name.removesuffix("_lut"), settings) for name in lut_names}
-        textures |= {**resources.maps, "preconvolved": resources.preconvolved}
+        textures |= {**resources.maps, "preconvolved": shared.preconvolved}
         buffers = {
             "skin_block": resources.skin_block,
             "scatter_block": resources.scatter_block(settings),
             "frame_block": resources.frame_block,
             "lights": shadow_maps.lights,
-            "taps": resources.taps(settings.thickness_taps),
+            "taps": shared.taps(settings.thickness_taps),
         }
         variance = settings.shadow_filter == ShadowFilter.VARIANCE
-        moments = shadow_maps.moments if variance else resources.placeholder_layers
+        moments = shadow_maps.moments if variance else shared.placeholder_layers
         layers = {"depths": shadow_maps.depths, "moments": moments}
         linear = {"mag_filter": "linear", "min_filter": "linear"}
         mips = {**linear, "mipmap_filter": "linear"}

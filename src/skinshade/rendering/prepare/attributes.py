@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..._core.arrays import FloatArray, IntArray
 from ...mesh import Mesh, vertex_attributes
+from ...mesh.attributes import plain_attributes
 from ...params.vertex import VERTEX_COLUMNS, column_slices
 from ...shading.direct import directional_curvature, relief_length
 from ...shading.skin import Skin
@@ -45,10 +46,41 @@ class VertexTable:
         return {name: mixed[:, floats] for name, floats in column_slices().items()}
 
 
-def build_vertex_table(mesh: Mesh, skin: Skin, ambient: AmbientLight | None) -> VertexTable:
-    """Return the vertex table of a mesh; the columns of ambient light are 0 if `ambient` is None."""
-    columns = vertex_attributes(mesh, skin.profile)
-    columns["mesh_relief"] = _mesh_relief(skin, columns)
+def build_vertex_table(
+    mesh: Mesh,
+    skin: Skin,
+    ambient: AmbientLight | None,
+    faces: IntArray | None = None,
+    skin_faces: int | None = None,
+) -> VertexTable:
+    """Return the vertex table of a mesh; the columns of ambient light are 0 if `ambient` is None.
+
+    Parameters
+    ----------
+    mesh
+        Body.
+    skin
+        Material of its skin.
+    ambient
+        Ambient light at the vertices.
+    faces
+        Faces of the mesh in the order of the table; those of the mesh if None.
+    skin_faces
+        Number of faces at the beginning that are skin; all if None.
+    """
+    faces = mesh.faces if faces is None else faces
+    if skin_faces is None or skin_faces == len(faces):
+        columns = vertex_attributes(mesh, skin.profile)
+        columns["mesh_relief"] = _mesh_relief(skin, columns)
+    else:
+        columns = plain_attributes(mesh)
+        if skin_faces:
+            vertices, body = _submesh(mesh, faces[:skin_faces])
+            diffused = vertex_attributes(body, skin.profile)
+            diffused["mesh_relief"] = _mesh_relief(skin, diffused)
+            for name, values in diffused.items():
+                column = columns.setdefault(name, np.zeros((len(mesh.positions), values.shape[1])))
+                column[vertices] = values
     if ambient is not None:
         columns["visibility"] = ambient.visibility
         columns["through"] = ambient.through
@@ -58,7 +90,22 @@ def build_vertex_table(mesh: Mesh, skin: Skin, ambient: AmbientLight | None) -> 
         columns.get(name, np.zeros((count, column.width)))
         for name, column in VERTEX_COLUMNS.items()
     ]
-    return VertexTable(np.concatenate(parts, axis=1), mesh.faces)
+    return VertexTable(np.concatenate(parts, axis=1), faces)
+
+
+def _submesh(mesh: Mesh, faces: IntArray) -> tuple[IntArray, Mesh]:
+    """Return the indices of the vertices that some faces use, and the mesh of these faces."""
+    vertices, corners = np.unique(faces, return_inverse=True)
+    return vertices, replace(
+        mesh,
+        positions=mesh.positions[vertices],
+        normals=mesh.normals[vertices],
+        faces=corners.reshape(-1, 3).astype(np.int64),
+        uvs=None if mesh.uvs is None else mesh.uvs[vertices],
+        attributes={name: values[vertices] for name, values in mesh.attributes.items()},
+        repairs={},
+        materials=None,
+    )
 
 
 def _mesh_relief(skin: Skin, columns: Mapping[str, FloatArray]) -> FloatArray:

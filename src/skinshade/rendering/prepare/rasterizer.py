@@ -7,8 +7,9 @@ so that faces need no clipping, and they give perspective-correct derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,12 +50,27 @@ class Fragments:
     along_x: FloatArray
     along_y: FloatArray
 
+    def chosen(self, index: slice | NDArray[np.bool_]) -> Fragments:
+        """Return the entries that an `index` chooses."""
+        return Fragments(
+            self.pixel[index],
+            self.face[index],
+            self.barycentric[index],
+            self.along_x[index],
+            self.along_y[index],
+        )
+
+
+Hidden = Callable[[IntArray, FloatArray], NDArray[np.bool_] | None]
+"""Function of faces (N,) and barycentric coordinates (N, 3) that returns which points show nothing."""
+
 
 def rasterize(
     clip: FloatArray,
     faces: IntArray,
     size: tuple[int, int],
     offset: tuple[float, float] = (0.5, 0.5),
+    hidden: Hidden | None = None,
 ) -> Fragments:
     """Return the nearest face at one sample of every pixel.
 
@@ -68,6 +84,8 @@ def rasterize(
         (width, height) in pixels.
     offset
         Position of the sample within the pixel, 0..1 each, from the top left.
+    hidden
+        Function that returns which points show nothing, such as those between the hairs of a card.
     """
     width, height = size
     functions, _ = _edge_functions(clip, faces, size)
@@ -75,6 +93,11 @@ def rasterize(
     nearest = np.full(width * height, np.inf)
     winner = np.full(width * height, -1, dtype=np.int64)
     for face, pixel, depth in _covered(clip, faces, size, offset, functions, planes):
+        if hidden is not None:
+            x, y = pixel % width + offset[0], pixel // width + offset[1]
+            absent = hidden(face, _barycentric(functions[face], x[:, None], y[:, None])[0])
+            if absent is not None:
+                face, pixel, depth = face[~absent], pixel[~absent], depth[~absent]
         np.minimum.at(nearest, pixel, depth)
         first = depth == nearest[pixel]
         winner[pixel[first]] = face[first]
@@ -83,14 +106,21 @@ def rasterize(
     rows = functions[face]
     x = (pixel % width + offset[0])[:, None]
     y = (pixel // width + offset[1])[:, None]
-    edge = rows[..., 0] * x + rows[..., 1] * y + rows[..., 2]
-    total = edge.sum(axis=1, keepdims=True)
-    barycentric = edge / total
+    barycentric, total = _barycentric(rows, x, y)
     along_x, along_y = (
         (rows[..., axis] - barycentric * rows[..., axis].sum(axis=1, keepdims=True)) / total
         for axis in (0, 1)
     )
     return Fragments(pixel, face, barycentric, along_x, along_y)
+
+
+def _barycentric(
+    functions: FloatArray, x: NDArray[np.floating[Any]], y: NDArray[np.floating[Any]]
+) -> tuple[FloatArray, FloatArray]:
+    """Return barycentric coordinates (N, 3) at points (N, 1) of faces (N, 3, 3), and 1/w (N, 1)."""
+    edge = functions[..., 0] * x + functions[..., 1] * y + functions[..., 2]
+    total = edge.sum(axis=1, keepdims=True)
+    return edge / total, total
 
 
 def depth_maps(

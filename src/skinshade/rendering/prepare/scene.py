@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 from ..._core.arrays import FloatArray
 from ..._core.progress import Progress, silent
-from ...mesh import Mesh, mesh_uv_scale
-from ...params.choices import MaterialMap, ShadowFilter
-from ...scene import Material, Scene
-from ...scene.maps import scale_slopes
+from ...mesh import Mesh
+from ...params.choices import ShadowFilter
+from ...scene import Scene
 from ...shading.image_light import PreconvolvedRadiance
 from ...shading.skin import Skin
 from .ambient_light import gather_ambient_light
 from .attributes import VertexTable, build_vertex_table
 from .light_view import LightView
-from .mips import Texture, build_texture
+from .parts import PreparedPart, arrange_parts, casting_faces, with_textures
 from .shadow_filter import WideFilter, build_filter
 from .shadow_map import ShadowMap, rasterize_shadow_map
 
@@ -36,14 +33,10 @@ class PreparedScene:
     ----------
     scene
         The scene.
-    skin
-        Material without lookup tables. A backend adds the tables that its settings need.
+    parts
+        Parts of the body, in the order of the faces in `vertices`; the first is skin.
     vertices
         Vertex attributes.
-    textures
-        Mip-mapped textures of the maps that the material has.
-    uv_scale_mm
-        Length of one unit of UV on the surface, mm; 1 if the material has no normal map.
     shadow_maps
         Shadow map of each light.
     closer_filters
@@ -55,10 +48,8 @@ class PreparedScene:
     """
 
     scene: Scene
-    skin: Skin
+    parts: Sequence[PreparedPart]
     vertices: VertexTable
-    textures: Mapping[MaterialMap, Texture]
-    uv_scale_mm: float
     shadow_maps: Sequence[ShadowMap]
     closer_filters: Sequence[WideFilter]
     radiance_sh: FloatArray | None
@@ -88,8 +79,10 @@ def prepare_scene(
     progress("tables", 0.0)
     skin = Skin.of(material.profile, material.params, luts=())
     progress("shadow maps", 0.0)
+    parts, faces = arrange_parts(scene, skin)
+    casting = replace(scene.mesh, faces=casting_faces(parts, faces), materials=None)
     views = [LightView.of(light, scene.mesh) for light in scene.lights]
-    shadow_maps = rasterize(scene.mesh, views)
+    shadow_maps = rasterize(casting, views)
     closer_filters: list[WideFilter] = []
     ambient, radiance_sh, preconvolved = None, None, None
     if environment is not None:
@@ -99,7 +92,7 @@ def prepare_scene(
         radiance_sh = environment.radiance_sh()
         preconvolved = environment.preconvolved()
         ambient = gather_ambient_light(
-            scene.mesh,
+            casting,
             radiance_sh,
             preconvolved,
             list(zip(scene.lights, closer_filters, strict=True)),
@@ -108,33 +101,15 @@ def prepare_scene(
             progress,
         )
     progress("vertex attributes", 0.0)
-    vertices = build_vertex_table(scene.mesh, skin, ambient)
+    skin_faces = sum(part.face_count for part in parts if part.is_skin)
+    vertices = build_vertex_table(scene.mesh, skin, ambient, faces, skin_faces)
     progress("textures", 0.0)
     return PreparedScene(
         scene,
-        skin,
+        with_textures(scene.mesh, parts, faces),
         vertices,
-        _textures(material),
-        _uv_scale_mm(scene.mesh, material),
         shadow_maps,
         closer_filters,
         radiance_sh,
         preconvolved,
     )
-
-
-def _textures(material: Material) -> dict[MaterialMap, Texture]:
-    """Return the textures of a material; slopes of the normal map are scaled by its strength."""
-    maps = {kind: getattr(material, kind.value) for kind in MaterialMap}
-    images = {kind: image for kind, image in maps.items() if image is not None}
-    if MaterialMap.NORMAL in images:
-        strength = material.params.normal_strength
-        images[MaterialMap.NORMAL] = scale_slopes(images[MaterialMap.NORMAL], strength)
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        return dict(zip(images, pool.map(build_texture, images.values()), strict=True))
-
-
-def _uv_scale_mm(mesh: Mesh, material: Material) -> float:
-    if material.normal is None or mesh.uvs is None:
-        return 1.0
-    return mesh_uv_scale(mesh.positions_mm, mesh.uvs, mesh.faces)

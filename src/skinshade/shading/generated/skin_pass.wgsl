@@ -126,6 +126,8 @@ fn rsqrt_0( x_0 : f32) -> f32
 
 @id(4) override LIGHTS_0 : i32 = i32(1);
 
+@id(11) override OPACITY_CUTOFF_0 : i32 = i32(0);
+
 @id(7) override FETCHES_0 : i32 = i32(3);
 
 @id(8) override MULTISAMPLED_0 : i32 = i32(0);
@@ -1100,58 +1102,71 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     var a_2 : Attributes_0 = attributes_of_0(_S76);
     var _S77 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
     var s_7 : Surface_0 = surface_of_0(a_2, dpdx(a_2.uv_0) * _S77, dpdy(a_2.uv_0) * _S77);
+    var _S78 : bool;
+    if(OPACITY_CUTOFF_0 > i32(0))
+    {
+        _S78 = (255.0f * (textureSampleLevel((albedo_map_0), (map_sampler_0), (a_2.uv_0), (0.0f))).w) < f32(OPACITY_CUTOFF_0);
+    }
+    else
+    {
+        _S78 = false;
+    }
+    if(_S78)
+    {
+        discard;
+    }
     if(VIEW_0 == i32(1))
     {
-        var _S78 : vec3<f32> = vec3<f32>(0.5f);
-        var _S79 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S78 + _S78 * s_7.sharp_0), 1.0f) );
-        return _S79;
+        var _S79 : vec3<f32> = vec3<f32>(0.5f);
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.sharp_0), 1.0f) );
+        return _S80;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S80 : vec3<f32> = vec3<f32>(0.5f);
-        var _S81 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S80 + _S80 * s_7.blurred_0), 1.0f) );
-        return _S81;
+        var _S81 : vec3<f32> = vec3<f32>(0.5f);
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_7.blurred_0), 1.0f) );
+        return _S82;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
-        return _S82;
+        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        return _S83;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
-        return _S83;
+        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        return _S84;
     }
-    var _S84 : vec3<f32> = s_7.sharp_0;
-    var _S85 : mat3x3<f32> = mat3x3<f32>(_S84, _S84, _S84);
-    var _S86 : vec3<f32> = vec3<f32>(1.0f);
-    var _S87 : bool = SHADING_0 == i32(1);
+    var _S85 : vec3<f32> = s_7.sharp_0;
+    var _S86 : mat3x3<f32> = mat3x3<f32>(_S85, _S85, _S85);
+    var _S87 : vec3<f32> = vec3<f32>(1.0f);
+    var _S88 : bool = SHADING_0 == i32(1);
     var normals_8 : mat3x3<f32>;
-    if(_S87)
+    if(_S88)
     {
         normals_8 = skin_classic_ambient_normals_0(s_7.sharp_0, s_7.blurred_0);
     }
     else
     {
-        normals_8 = _S85;
+        normals_8 = _S86;
     }
-    var _S88 : bool = SHADING_0 == i32(2);
+    var _S89 : bool = SHADING_0 == i32(2);
     var diffused_0 : Diffused_0;
     var gain_5 : vec3<f32>;
-    if(_S88)
+    if(_S89)
     {
         var diffused_1 : Diffused_0 = diffused_surface_0(s_7);
-        var _S89 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        var _S90 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
         diffused_0 = diffused_1;
-        gain_5 = _S89;
+        gain_5 = _S90;
         normals_8 = diffused_1.normals_1;
     }
     else
     {
-        gain_5 = _S86;
+        gain_5 = _S87;
     }
     var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S90 : vec3<f32> = vec3<f32>(0.0f);
+    var _S91 : vec3<f32> = vec3<f32>(0.0f);
     var largest_filter_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1161,17 +1176,16 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     {
         largest_filter_0 = 1.0f;
     }
-    var _S91 : bool;
     if(LIGHTS_0 > i32(0))
     {
-        _S91 = TAPS_0 > i32(0);
+        _S78 = TAPS_0 > i32(0);
     }
     else
     {
-        _S91 = false;
+        _S78 = false;
     }
     var thinnest_0 : f32;
-    if(_S91)
+    if(_S78)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1180,9 +1194,9 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S90;
-    var direct_3 : vec3<f32> = _S90;
-    var specular_0 : vec3<f32> = _S90;
+    var deep_0 : vec3<f32> = _S91;
+    var direct_3 : vec3<f32> = _S91;
+    var specular_0 : vec3<f32> = _S91;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1202,13 +1216,13 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S91 = (dot(s_7.blurred_0, light_8.to_light_2)) < 0.30000001192092896f;
+            _S78 = (dot(s_7.blurred_0, light_8.to_light_2)) < 0.30000001192092896f;
         }
         else
         {
-            _S91 = false;
+            _S78 = false;
         }
-        if(_S91)
+        if(_S78)
         {
             deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
         }
@@ -1229,7 +1243,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
             direct_0 = direct_3;
         }
         var lit_1 : f32;
-        if(_S87)
+        if(_S88)
         {
             var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_7.sharp_0, s_7.blurred_0, light_8.to_light_2, s_7.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
             lit_1 = skin_classic_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
@@ -1240,7 +1254,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
             lit_1 = lit_0;
             direct_1 = direct_0;
         }
-        if(_S88)
+        if(_S89)
         {
             direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_7, diffused_0, light_8.to_light_2, gain_5) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
         }
@@ -1270,21 +1284,21 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         var _S96 : vec3<f32> = ambient_light_0(s_7, normals_8, gain_5) * s_7.visibility_1 + s_7.bounced_1;
         var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
         var _S97 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_1, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
-        if(_S88)
+        if(_S89)
         {
-            _S91 = TAPS_0 > i32(0);
+            _S78 = TAPS_0 > i32(0);
         }
         else
         {
-            _S91 = false;
+            _S78 = false;
         }
-        if(_S91)
+        if(_S78)
         {
             direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S90;
+            direct_0 = _S91;
         }
         var _S98 : vec3<f32> = direct_0;
         direct_0 = _S97;
@@ -1293,9 +1307,9 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     else
     {
-        direct_0 = _S90;
-        direct_1 = _S90;
-        direct_2 = _S90;
+        direct_0 = _S91;
+        direct_1 = _S91;
+        direct_2 = _S91;
     }
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
