@@ -70,7 +70,7 @@ class DirectionalLight:
         return cls(direction_of(yaw_deg, pitch_deg), np.full(3, np.pi * intensity))
 
     def turned(self, yaw_deg: float, pitch_deg: float) -> DirectionalLight:
-        """Return the light turned from the front towards a camera at `yaw_deg` and `pitch_deg`, degrees."""
+        """Return the light turned as a camera is turned from the front by a yaw and a pitch, degrees."""
         yaw, pitch = np.radians(yaw_deg), np.radians(pitch_deg)
         x, y, z = self.to_light
         y, z = y * np.cos(pitch) + z * np.sin(pitch), z * np.cos(pitch) - y * np.sin(pitch)
