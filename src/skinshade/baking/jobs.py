@@ -3,35 +3,37 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
-import numpy as np
-
-from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError, SkinshadeError
-from .._core.files import atomic_write, remove_dead_files
+from .._core.files import remove_dead_files
 from .._core.version import __version__
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh.readers import SUFFIXES
 from ..profile import Profile
-from ..scene.images import write_png
-from .analysis import BakedMesh
-from .asset import BakedAsset, bake
+from .asset import bake
+from .records import (
+    MeshRecord,
+    Record,
+    are_unchanged,
+    file_hash,
+    mesh_record,
+    read_record,
+    write_record,
+)
 from .settings import BakeSettings, OutputFormat
-from .thumbnails import thumbnails
+from .thumbnails import write_thumbnails
 
 __all__ = ["Job", "JobResult", "failure", "plan_jobs", "run_job", "status_counts"]
 
 Status = Literal["baked", "current", "failed"]
 RECORDS = ".skinshade"
 """Folder in the output with a record of each asset, so that current assets are not baked again."""
-HISTOGRAM_BINS = 48
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,8 @@ class Job:
         Settings of the bake.
     with_thumbnail
         Whether thumbnails are drawn.
+    source_folder, output_folder
+        Folders to which records and reports state the names of files.
     problem
         Reason why the asset cannot be baked, else empty.
     """
@@ -57,13 +61,25 @@ class Job:
     record: Path
     thumbnail: Path
     settings: BakeSettings
-    with_thumbnail: bool = False
+    with_thumbnail: bool
+    source_folder: Path
+    output_folder: Path
     problem: str = ""
+
+    @property
+    def source_name(self) -> str:
+        """Source relative to its folder, with slashes."""
+        return self.source.relative_to(self.source_folder).as_posix()
+
+    @property
+    def output_name(self) -> str:
+        """Output relative to its folder, with slashes."""
+        return self.output.relative_to(self.output_folder).as_posix()
 
 
 @dataclass(frozen=True)
 class JobResult:
-    """Result of a job, in JSON types.
+    """Result of a job.
 
     Attributes
     ----------
@@ -76,9 +92,9 @@ class JobResult:
     key
         Hash of the source, the files that it refers to, the settings and the version.
     files
-        Hash of each file that was written, by its name.
+        Hash of each file that was written, by its name relative to the folder of the output.
     meshes
-        Name, unit, counts, ranges, histograms and notes of each mesh.
+        Description of each mesh.
     """
 
     source: str
@@ -87,7 +103,7 @@ class JobResult:
     error: str = ""
     key: str = ""
     files: dict[str, str] = field(default_factory=dict)
-    meshes: list[dict[str, Any]] = field(default_factory=list)
+    meshes: list[MeshRecord] = field(default_factory=list)
 
 
 def plan_jobs(
@@ -152,7 +168,9 @@ def plan_jobs(
             raise ArgumentError(f"{output}: is one of the sources; choose another output folder")
         claims.setdefault(_claim(output, settings), []).append(source)
         record, thumbnail = (folder / RECORDS / f"{relative}.{kind}" for kind in ("json", "png"))
-        jobs.append(Job(source, output, record, thumbnail, settings, with_thumbnails))
+        jobs.append(
+            Job(source, output, record, thumbnail, settings, with_thumbnails, common, folder)
+        )
     return [_with_problem(job, claims[_claim(job.output, settings)]) for job in jobs]
 
 
@@ -181,20 +199,21 @@ def run_job(job: Job) -> JobResult:
         job.output.parent.mkdir(parents=True, exist_ok=True)
         remove_dead_files([job.record.parent])
         baked = bake(job.source, job.output, job.settings, replaceable=_recorded_files(job))
-        result = JobResult(
-            str(job.source),
-            str(job.output),
-            "baked",
-            key=key,
-            files={str(path.relative_to(job.output.parent)): _hash(path) for path in baked.written},
-            meshes=_mesh_records(baked),
-        )
         job.record.parent.mkdir(parents=True, exist_ok=True)
         if job.with_thumbnail:
-            profile = Profile.preset(job.settings.profile)
-            write_png(job.thumbnail, thumbnails(baked.meshes, profile))
-        with atomic_write(job.record) as temporary:
-            temporary.write_text(json.dumps(asdict(result), indent=1) + "\n", encoding="utf-8")
+            write_thumbnails(job.thumbnail, baked.meshes, Profile.preset(job.settings.profile))
+        record = Record(
+            source=job.source_name,
+            output=job.output_name,
+            key=key,
+            files={
+                path.relative_to(job.output.parent).as_posix(): file_hash(path)
+                for path in baked.written
+            },
+            thumbnail=file_hash(job.thumbnail) if job.with_thumbnail else None,
+            meshes=[mesh_record(mesh) for mesh in baked.meshes],
+        )
+        write_record(record, job.record)
     except SkinshadeError as error:
         return failure(job, str(error))
     except (MemoryError, RecursionError):
@@ -203,7 +222,7 @@ def run_job(job: Job) -> JobResult:
         return failure(job, f"{job.source}: {error}")
     except Exception as error:
         return failure(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
-    return result
+    return _result(job, "baked", record)
 
 
 def failure(job: Job, error: str) -> JobResult:
@@ -249,63 +268,31 @@ def _key(job: Job) -> str:
 
 def _current_result(job: Job, key: str) -> JobResult | None:
     """Return the recorded result of a job if its key and all its files are unchanged."""
-    try:
-        record = json.loads(job.record.read_text(encoding="utf-8"))
-        files = {str(name): str(value) for name, value in record["files"].items()}
-        if record["key"] != key or not files:
-            return None
-        if job.with_thumbnail and not job.thumbnail.is_file():
-            return None
-        for name, value in files.items():
-            if _hash(job.output.parent / name) != value:
-                return None
-        return JobResult(
-            str(job.source), str(job.output), "current", "", key, files, list(record["meshes"])
-        )
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+    record = read_record(job.record)
+    if record is None or record.key != key or job.output.name not in record.files:
         return None
+    if not are_unchanged(record.files, job.output.parent):
+        return None
+    if job.with_thumbnail:
+        if record.thumbnail is None:
+            return None
+        if not are_unchanged({job.thumbnail.name: record.thumbnail}, job.thumbnail.parent):
+            return None
+    return _result(job, "current", record)
 
 
 def _recorded_files(job: Job) -> list[Path]:
     """Return the files that the record of a job lists and that are unchanged since they were written."""
-    try:
-        record = json.loads(job.record.read_text(encoding="utf-8"))
-        files = {job.output.parent / str(name): value for name, value in record["files"].items()}
-        return [path for path, value in files.items() if path.is_file() and _hash(path) == value]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        return []
+    record = read_record(job.record)
+    files = {} if record is None else record.files
+    return [
+        job.output.parent / name
+        for name, value in files.items()
+        if are_unchanged({name: value}, job.output.parent)
+    ]
 
 
-def _hash(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def _histogram(values: FloatArray) -> list[int]:
-    """Return the counts of values in bins of equal width."""
-    low, high = float(values.min()), float(values.max())
-    # The margin keeps the width of bins above 0 if all values are equal up to rounding.
-    margin = 1e-6 * max(abs(low), abs(high)) or 0.5
-    counts, _ = np.histogram(values, HISTOGRAM_BINS, (low - margin, high + margin))
-    result: list[int] = counts.tolist()
-    return result
-
-
-def _mesh_records(baked: BakedAsset) -> list[dict[str, Any]]:
-    return [_mesh_record(mesh) for mesh in baked.meshes]
-
-
-def _mesh_record(baked: BakedMesh) -> dict[str, Any]:
-    attributes = baked.analysis.attributes
-    return {
-        "name": baked.name,
-        "unit_mm": baked.mesh.unit_mm,
-        "vertices": len(baked.mesh.positions),
-        "triangles": len(baked.mesh.faces),
-        "size_mm": [float(side) for side in np.ptp(baked.mesh.positions_mm, axis=0)],
-        "uv_scale_mm": baked.analysis.uv_scale_mm,
-        "ranges": {
-            name: [float(values.min()), float(values.max())] for name, values in attributes.items()
-        },
-        "histograms": {name: _histogram(values) for name, values in attributes.items()},
-        "notes": baked.all_notes,
-    }
+def _result(job: Job, status: Status, record: Record) -> JobResult:
+    return JobResult(
+        str(job.source), str(job.output), status, "", record.key, record.files, record.meshes
+    )

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import json
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from dataclasses import asdict
 from importlib.util import find_spec
 from multiprocessing import get_context
-from pathlib import Path
 from typing import Any
 
 from .._core.errors import ArgumentError, BackendError, DependencyError
-from .._core.files import atomic_write
 from .._core.progress import Progress, silent
-from .._core.version import __version__
-from .jobs import Job, JobResult, failure, run_job, status_counts
+from .jobs import Job, JobResult, failure, run_job
 
-__all__ = ["bake_library", "write_report"]
+__all__ = ["bake_library"]
 
 MAX_CRASHES = 3
 """Crashes of its process after which a job counts as failed."""
@@ -72,20 +67,6 @@ def bake_library(
         results[index] = result
         progress("baking", len(results) / len(jobs))
     return [results[index] for index in range(len(jobs))]
-
-
-def write_report(results: list[JobResult], path: Path) -> None:
-    """Write the results as JSON.
-
-    Raises
-    ------
-    OutputError
-        If the file cannot be written.
-    """
-    content: dict[str, Any] = {"version": __version__, **status_counts(results)}
-    content["assets"] = [asdict(result) for result in results]
-    with atomic_write(path) as temporary:
-        temporary.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
 def _on_processes(

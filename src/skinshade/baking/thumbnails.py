@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
+from PIL import Image
 
 from .._core.arrays import FloatArray, bounding_sphere, unit_vectors
+from .._core.files import atomic_write
 from ..params import SkinParams
 from ..profile import Profile
 from ..rendering.prepare.colours import curvature_colour
@@ -18,14 +21,35 @@ from ..shading.skin import Skin
 from ..shading.tonemap import filmic, srgb_from_linear
 from .analysis import BakedMesh
 
-__all__ = ["thumbnails"]
+__all__ = ["SIZE", "thumbnails", "write_thumbnails"]
 
 SIZE = 192
+"""Pixels along a side: three thumbnails fit side by side into a narrow window."""
 PAPER = 0.97
 """Display value of the background."""
 TO_LIGHT = np.array([-0.5, 0.55, 0.67])
 ALBEDO = np.array([0.55, 0.36, 0.28])
 AMBIENT = 0.12
+
+
+def write_thumbnails(path: Path, meshes: Sequence[BakedMesh], profile: Profile) -> None:
+    """Write the thumbnails of an asset as PNG.
+
+    Parameters
+    ----------
+    path
+        Output file; its name may hold bytes that are not UTF-8, which OpenImageIO refuses.
+    meshes, profile
+        As in `thumbnails`.
+
+    Raises
+    ------
+    OutputError
+        If the file cannot be written.
+    """
+    pixels = np.rint(np.clip(thumbnails(meshes, profile), 0.0, 1.0) * 255.0).astype(np.uint8)
+    with atomic_write(path) as temporary:
+        Image.fromarray(pixels).save(temporary, "PNG")
 
 
 def thumbnails(meshes: Sequence[BakedMesh], profile: Profile) -> FloatArray:

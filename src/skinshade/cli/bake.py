@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from time import monotonic
 from typing import Annotated
 
 import typer
@@ -12,8 +13,8 @@ from .._core.errors import ArgumentError, InputError, OutputError
 from .._core.units import parse_unit_mm
 from ..baking import BakeSettings, bake
 from ..baking.jobs import JobResult, plan_jobs, status_counts
-from ..baking.library import bake_library, write_report
-from ..baking.report import write_page
+from ..baking.library import bake_library
+from ..baking.report import write_page, write_report
 from ..baking.settings import MapFormat, OutputFormat
 from ..mesh.rays import RayTracing
 from .options import expand_options
@@ -163,14 +164,16 @@ def _bake_many(
     if output.exists() and not output.is_dir():
         raise OutputError(f"{output}: is a file; several models need a folder")
     jobs = plan_jobs(sources, output, settings, library.suffix, with_thumbnails=library.report)
+    start = monotonic()
     with terminal_progress() as progress:
         results = bake_library(
             jobs, workers=library.jobs, cluster=library.cluster, progress=progress
         )
+    seconds = monotonic() - start
     output.mkdir(parents=True, exist_ok=True)
-    write_report(results, output / REPORT)
+    write_report(jobs, results, output / REPORT)
     if library.report:
-        write_page(jobs, results, output / PAGE)
+        write_page(jobs, results, output / PAGE, seconds=seconds)
         typer.echo(f"{output / PAGE}: open it in a browser")
     _summarise(results, output)
 
