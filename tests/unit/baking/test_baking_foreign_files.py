@@ -1,9 +1,12 @@
 """A bake replaces and removes only its own files."""
 
+import hashlib
 import json
 import os
 import shutil
 import stat
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +15,7 @@ import pytest
 import gltf_shapes
 from skinshade._core.errors import FileError, InputError, MeshFileError, OutputError
 from skinshade._core.files import TEMPORARY_MARK
-from skinshade._core.processes import MACHINE
+from skinshade._core.processes import MACHINE, output_lock
 from skinshade.baking import BakeSettings, bake
 from skinshade.baking.jobs import plan_jobs
 from skinshade.baking.library import bake_library
@@ -77,7 +80,8 @@ def test_an_equal_image_at_the_target_is_kept_and_counted(tmp_path):
     before = (tmp_path / "skin.png").stat()
     written = bake(source, tmp_path / "face.glb").written
     assert [path.name for path in written] == ["skin.png", "face.glb"]
-    assert (tmp_path / "skin.png").stat() == before
+    after = (tmp_path / "skin.png").stat()
+    assert (after.st_ino, after.st_mtime_ns) == (before.st_ino, before.st_mtime_ns)
 
 
 def test_copies_have_the_permissions_of_new_files(tmp_path):
@@ -208,6 +212,48 @@ def test_a_hidden_asset_is_baked_and_kept(tmp_path):
     bake_library(jobs)
     assert [result.status for result in bake_library(jobs)] == ["current"] * 2
     assert (tmp_path / "out" / ".head-original.glb").is_file()
+
+
+# -- readers during a bake -------------------------------------------------------------------------
+
+WRITER = """
+import sys
+from skinshade.baking import BakeSettings, bake
+for tensor in [False, True] * 12:
+    bake(sys.argv[1], sys.argv[2], BakeSettings(tensor=tensor))
+"""
+
+
+@pytest.mark.slow
+def test_readers_never_see_a_document_without_its_buffer(tmp_path):
+    """Two settings alternate in another process, and every document that is read has its whole buffer."""
+    source = gltf_shapes.write(gltf_shapes.plain(), tmp_path / "in")
+    output = tmp_path / "head.gltf"
+    bake(source, output)
+    arguments = [sys.executable, "-c", WRITER, str(source), str(output)]
+    reads, documents = 0, set()
+    with subprocess.Popen(arguments) as writer:
+        while writer.poll() is None:
+            text = output.read_text(encoding="utf-8")
+            for buffer in json.loads(text)["buffers"]:
+                data = (tmp_path / buffer["uri"]).read_bytes()
+                assert len(data) == buffer["byteLength"]
+                assert hashlib.sha256(data).hexdigest()[:16] in buffer["uri"]
+            reads += 1
+            documents.add(text)
+    assert writer.returncode == 0
+    assert len(documents) == 2
+    assert reads > 100
+
+
+def test_two_bakes_of_one_output_at_the_same_time_name_the_first(tmp_path):
+    source = gltf_shapes.write(gltf_shapes.plain(), tmp_path / "in")
+    with (
+        output_lock(tmp_path / "head.glb"),
+        pytest.raises(OutputError, match=f"process {os.getpid()} on .* is writing it"),
+    ):
+        bake(source, tmp_path / "head.glb")
+    bake(source, tmp_path / "head.glb")
 
 
 # -- what a failure leaves -------------------------------------------------------------------------
