@@ -10,8 +10,9 @@ import numpy as np
 from .._core.arrays import FloatArray, as_positions
 from .._core.errors import MeshError
 from .._core.progress import Progress, silent
-from ..mesh import Mesh, mesh_curvature, mesh_curvature_tensor, mesh_thickness, mesh_uv_scale
-from ..mesh.curvature import tensor_to_world
+from ..mesh import Mesh, mesh_thickness, mesh_uv_scale
+from ..mesh.shape_operator import ShapeOperator
+from ..mesh.tensors import tensor_to_world
 from .settings import BakeSettings
 
 __all__ = ["Analysis", "BakedMesh", "analyse"]
@@ -88,12 +89,13 @@ def analyse(mesh: Mesh, settings: BakeSettings, name: str, progress: Progress = 
     """
     points = as_positions(f"{name}: positions", mesh.positions_mm)
     faces, normals = mesh.faces, mesh.normals
-    smoothing = settings.smoothing
-    curvature = mesh_curvature(points, faces, normals, smoothing=smoothing)
-    attributes = {"curvature": curvature[:, None]}
+    notes: dict[str, int] = {}
+    operator = ShapeOperator.fit(points, faces, normals)
+    if operator.bounded_vertices:
+        notes["vertices with bounded curvature"] = operator.bounded_vertices
+    attributes: dict[str, FloatArray] = {"curvature": operator.mean(settings.smoothing)[:, None]}
     if settings.tensor:
-        tensor = mesh_curvature_tensor(points, faces, normals, smoothing=smoothing)
-        attributes["tensor"] = tensor_to_world(tensor, normals)
+        attributes["tensor"] = tensor_to_world(operator.tensor(settings.smoothing), normals)
     if settings.thickness:
         thickness = mesh_thickness(
             points, faces, normals, rays=settings.rays, tracing=settings.tracing, progress=progress
@@ -103,7 +105,6 @@ def analyse(mesh: Mesh, settings: BakeSettings, name: str, progress: Progress = 
         largest = float(np.abs(values).max())
         if not largest <= LARGEST_FLOAT:  # NaN raises too
             raise MeshError(f"{name}: {key} reaches {largest:g}; check the unit")
-    notes: dict[str, int] = {}
     scale = None
     if mesh.uvs is not None:
         if float(np.abs(mesh.uvs).max()) > LARGEST_FLOAT:

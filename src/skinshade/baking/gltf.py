@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import copy
+from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from .._core.arrays import FloatArray
-from .._core.errors import MeshFileError
 from .._core.progress import Progress, silent
 from .._core.units import GLTF_UNIT_MM
 from .._core.version import __version__
@@ -22,7 +22,8 @@ from ..gltf import (
     read_mesh,
     scale_of,
 )
-from ..gltf.primitives import geometry_key
+from ..gltf.placement import Placement, SkippedNode
+from ..gltf.primitives import geometry_key, no_mesh_left
 from ..gltf.write import AccessorWriter
 from ..mesh import Mesh
 from ..mesh.baked import GLTF_NAMES
@@ -56,6 +57,9 @@ class GltfBake:
 def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = silent) -> GltfBake:
     """Analyse every mesh of a document and add the attributes.
 
+    Meshes that their nodes scale by 0, or by a number that is not finite, are skipped. Their count is
+    among the notes of the first mesh.
+
     Parameters
     ----------
     gltf
@@ -68,10 +72,11 @@ def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = s
     Raises
     ------
     MeshFileError, MeshError
-        If the document is malformed, or contains no triangles.
+        If the document is malformed, contains no triangles, or every mesh is skipped.
     """
     placements = mesh_placements(gltf)
     meshes = gltf.items("meshes")
+    skipped: list[tuple[int, SkippedNode]] = []
     # Meshes that differ only in their materials are analysed once.
     results: dict[str, tuple[list[Part], BakedMesh] | None] = {}
     baked = []
@@ -79,7 +84,11 @@ def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = s
     for index, entry in enumerate(meshes):
         progress("baking", index / len(meshes))
         name = str(entry.get("name") or index)
-        unit, notes = _unit_mm(gltf, index, placements.get(index, []), settings)
+        placement = placements.get(index, Placement())
+        if placement.skipped and not placement.matrices:
+            skipped.append((index, placement.skipped[0]))
+            continue
+        unit, notes = _unit_mm(gltf, placement.matrices, settings)
         key = f"{unit} {geometry_key(gltf, index)}"
         if key not in results:
             triangles = read_mesh(gltf, index)
@@ -94,7 +103,9 @@ def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = s
             writer.add(index, parts, result, settings)
             baked.append(result)
     if not baked:
-        raise MeshFileError(f"{gltf.path}: holds no triangles")
+        raise no_mesh_left(gltf, skipped)
+    document_notes = Counter(node.note for _, node in skipped)
+    baked[0] = replace(baked[0], notes={**baked[0].notes, **document_notes})
     return GltfBake(writer.json, bytes(writer.accessors.data), baked)
 
 
@@ -130,15 +141,13 @@ def _analysed(
 
 
 def _unit_mm(
-    gltf: GltfDocument, index: int, matrices: Sequence[FloatArray], settings: BakeSettings
+    gltf: GltfDocument, matrices: Sequence[FloatArray], settings: BakeSettings
 ) -> tuple[float, dict[str, int]]:
     """Return the length of a mesh's unit at its first node, mm, and notes about its scale."""
     notes: dict[str, int] = {}
     unit = settings.unit_mm or GLTF_UNIT_MM
     if matrices:
         scale, even = scale_of(matrices[0])
-        if not 1e-9 < scale < 1e9:
-            raise MeshFileError(f"{gltf.path}: mesh {index}: its node scales it by {scale:g}")
         ratios = {round(scale_of(matrix)[0] / scale, 3) for matrix in matrices}
         if not even:
             notes["meshes of uneven scale"] = 1

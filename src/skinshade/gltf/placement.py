@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -11,21 +12,53 @@ from .._core.errors import MeshFileError
 from .accessors import read_matrices
 from .document import GltfDocument
 
-__all__ = ["mesh_placements", "scale_of"]
+__all__ = ["Placement", "SkippedNode", "mesh_placements", "scale_of"]
 
 UNEVEN = 1.001
 """Greatest ratio of the lengths of axes that counts as a uniform scale."""
 LARGEST = 1e12
 """Greatest translation, m, and greatest scale of a node."""
+SCALES = (1e-9, 1e9)
+"""Usable scales of a node with its ancestors: a head in metres is between the sizes of an atom and of
+the orbit of the Moon."""
 
 
-def mesh_placements(
-    gltf: GltfDocument, *, visible_only: bool = False
-) -> dict[int, list[FloatArray]]:
-    """Return the matrices (4, 4) from the axes of meshes to the scene's, by the index of the mesh.
+@dataclass(frozen=True)
+class SkippedNode:
+    """Node whose matrix shrinks its mesh to nothing, or is not finite.
 
-    A mesh that no node refers to is missing. The joints of a skin place its mesh; the transform of the
-    node itself does not apply.
+    Attributes
+    ----------
+    note
+        Name of the count of such nodes.
+    reason
+        Reason, for an error message that begins with the file and the mesh.
+    """
+
+    note: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Nodes that show a mesh.
+
+    Attributes
+    ----------
+    matrices
+        (4, 4) from the mesh's axes to the scene's, of every node with a usable scale.
+    skipped
+        Other nodes.
+    """
+
+    matrices: list[FloatArray] = field(default_factory=list)
+    skipped: list[SkippedNode] = field(default_factory=list)
+
+
+def mesh_placements(gltf: GltfDocument, *, visible_only: bool = False) -> dict[int, Placement]:
+    """Return the placement of every mesh that a node refers to, by the index of the mesh.
+
+    The joints of a skin place its mesh; the transform of the node itself does not apply.
 
     Parameters
     ----------
@@ -42,7 +75,7 @@ def mesh_placements(
     nodes = gltf.items("nodes")
     world = _world_matrices(gltf, nodes)
     visible = _visible_nodes(gltf) if visible_only else set(range(len(nodes)))
-    placements: dict[int, list[FloatArray]] = {}
+    placements: dict[int, Placement] = {}
     for index, node in enumerate(nodes):
         if "mesh" not in node:
             continue
@@ -50,11 +83,30 @@ def mesh_placements(
         matrix = world[index]
         if "skin" in node:
             matrix = _bind_pose(gltf, node["skin"], world, index)
-        if not np.isfinite(matrix).all():
-            raise MeshFileError(f"{gltf.path}: the matrix of node {index} is not finite")
-        if index in visible:
-            placements.setdefault(node["mesh"], []).append(matrix)
+        if index not in visible:
+            continue
+        placement = placements.setdefault(node["mesh"], Placement())
+        skipped = _skipped(matrix, index)
+        if skipped is None:
+            placement.matrices.append(matrix)
+        else:
+            placement.skipped.append(skipped)
     return placements
+
+
+def _skipped(matrix: FloatArray, index: int) -> SkippedNode | None:
+    """Return why the matrix of a node cannot place a mesh, or None if it can."""
+    if not np.isfinite(matrix).all():
+        reason = f"the matrix of node {index} is not finite"
+        return SkippedNode("meshes of infinite scale skipped", reason)
+    scale, _ = scale_of(matrix)
+    least, greatest = SCALES
+    if least < scale < greatest:
+        return None
+    return SkippedNode(
+        f"meshes of {'scale 0' if scale <= least else 'infinite scale'} skipped",
+        f"its node scales it by {scale:g}; give it a scale within {least:g} to {greatest:g}",
+    )
 
 
 def scale_of(matrix: FloatArray) -> tuple[float, bool]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -13,9 +14,18 @@ from .._core.errors import MeshFileError
 from .accessors import FAN, STRIP, TRIANGLES, accessor_width, read_accessor, read_triangles
 from .document import COMPRESSED, GltfDocument
 from .draco import DRACO, read_draco
-from .placement import mesh_placements
+from .placement import Placement, SkippedNode, mesh_placements
 
-__all__ = ["Part", "Placed", "TriangleSet", "geometry_key", "joined", "read_mesh", "read_scene"]
+__all__ = [
+    "Part",
+    "Placed",
+    "TriangleSet",
+    "geometry_key",
+    "joined",
+    "no_mesh_left",
+    "read_mesh",
+    "read_scene",
+]
 
 WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
 """Numbers of the attributes that are always read."""
@@ -135,8 +145,11 @@ def read_mesh(
     return parts, _triangle_set(tables, np.concatenate(faces), np.concatenate(materials))
 
 
-def read_scene(gltf: GltfDocument, *, custom: bool = False) -> list[Placed]:
-    """Return the meshes of the default scene, placed; skinned meshes in their bind pose.
+def read_scene(gltf: GltfDocument, *, custom: bool = False) -> tuple[list[Placed], dict[str, int]]:
+    """Return the meshes of the default scene, placed, and counts of those that are skipped.
+
+    Skinned meshes are in their bind pose. Meshes that their nodes scale by 0, or by a number that is not
+    finite, are skipped.
 
     Parameters
     ----------
@@ -148,12 +161,17 @@ def read_scene(gltf: GltfDocument, *, custom: bool = False) -> list[Placed]:
     Raises
     ------
     MeshFileError, ArgumentError
-        If the document is malformed, holds no triangles, or a position is out of range.
+        If the document is malformed, holds no triangles, a position is out of range, or every mesh is
+        skipped.
     """
     placements = mesh_placements(gltf, visible_only=True)
+    unplaced = Placement([] if "nodes" in gltf.json else [np.eye(4)])
     placed = []
+    skipped: list[tuple[int, SkippedNode]] = []
     for index in range(len(gltf.items("meshes"))):
-        matrices = placements.get(index, [] if "nodes" in gltf.json else [np.eye(4)])
+        placement = placements.get(index, unplaced)
+        skipped += [(index, node) for node in placement.skipped]
+        matrices = placement.matrices
         mesh = read_mesh(gltf, index, custom=custom) if matrices else None
         if mesh is None:
             continue
@@ -163,8 +181,24 @@ def read_scene(gltf: GltfDocument, *, custom: bool = False) -> list[Placed]:
             gltf.count_numbers(mesh[1].positions.size + mesh[1].faces.size, where)
             placed.append(Placed(index, matrix, _placed(mesh[1], matrix)))
     if not placed:
-        raise MeshFileError(f"{gltf.path}: holds no triangles")
-    return placed
+        raise no_mesh_left(gltf, skipped)
+    return placed, dict(Counter(node.note for _, node in skipped))
+
+
+def no_mesh_left(gltf: GltfDocument, skipped: Sequence[tuple[int, SkippedNode]]) -> MeshFileError:
+    """Return the error for a document without triangles, or whose meshes are all skipped.
+
+    Parameters
+    ----------
+    gltf
+        Document.
+    skipped
+        Index of the mesh, and the node, of everything that is skipped.
+    """
+    if not skipped:
+        return MeshFileError(f"{gltf.path}: holds no triangles")
+    index, node = skipped[0]
+    return MeshFileError(f"{gltf.path}: mesh {index}: {node.reason}")
 
 
 def geometry_key(gltf: GltfDocument, index: int) -> str:

@@ -6,10 +6,11 @@ import numpy as np
 
 from .._core.arrays import FloatArray
 from ..profile import Profile
-from .curvature import mesh_curvature, mesh_curvature_tensor, tensor_to_world
 from .diffusion import diffuse_on_mesh
 from .model import Mesh
 from .normals import tangent_frame, vertex_tangents
+from .shape_operator import ShapeOperator
+from .tensors import tensor_to_world
 
 __all__ = ["plain_attributes", "vertex_attributes"]
 
@@ -45,11 +46,12 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
     """
     points = mesh.positions_mm
     tensor, curvature = mesh.attributes.get("tensor"), mesh.attributes.get("curvature")
-    if tensor is None:
-        flat = mesh_curvature_tensor(points, mesh.faces, mesh.normals)
-        tensor = tensor_to_world(flat, mesh.normals)
-    if curvature is None:
-        curvature = mesh_curvature(points, mesh.faces, mesh.normals)
+    if tensor is None or curvature is None:
+        operator = ShapeOperator.fit(points, mesh.faces, mesh.normals)
+        if tensor is None:
+            tensor = tensor_to_world(operator.tensor(), mesh.normals)
+        if curvature is None:
+            curvature = operator.mean()
     fields = np.concatenate([mesh.normals, curvature[:, None]], axis=1)
     diffused = diffuse_on_mesh(points, mesh.faces, fields, profile, tolerance=DIFFUSION_TOLERANCE)
     return {

@@ -9,7 +9,7 @@ import numpy as np
 
 from .._core.arrays import FloatArray
 from ..gltf import scale_of
-from .curvature import SYMMETRIC_ROWS
+from .tensors import SYMMETRIC_ROWS
 
 __all__ = ["GLTF_NAMES", "baked_attributes", "baked_unit_mm"]
 

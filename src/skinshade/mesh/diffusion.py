@@ -19,7 +19,7 @@ from .._core.arrays import FloatArray, IntArray, as_faces, as_floats, as_positio
 from .._core.errors import MeshError
 from .._core.progress import Progress, silent
 from ..profile import Profile
-from .topology import corner_areas, weld
+from .topology import corner_areas, used_vertices, weld
 
 __all__ = ["diffuse_on_mesh", "mesh_diffused_normals"]
 
@@ -45,7 +45,8 @@ def diffuse_on_mesh(
     positions_mm, faces
         (V, 3) mm and (F, 3). Vertices at one position are one point of the surface.
     values
-        (V, ...) any quantity, such as irradiance or normals.
+        (V, ...) any quantity, such as irradiance or normals. Values at vertices that no face uses do
+        not count.
     profile
         Any profile.
     tolerance
@@ -85,9 +86,10 @@ def diffuse_on_mesh(
         raise MeshError(f"values: shape is {v.shape} for {p.shape[0]} vertices")
     group, first = weld(p)
     flat = v.reshape(v.shape[0], -1)
+    used = used_vertices(f, len(p)).astype(np.float64)
     welded = (
-        np.stack([np.bincount(group, column, first.size) for column in flat.T], axis=1)
-        / np.bincount(group)[:, None]
+        np.stack([np.bincount(group, used * column, first.size) for column in flat.T], axis=1)
+        / np.maximum(np.bincount(group, used, first.size), 1.0)[:, None]
     )
     stiffness, mass = _laplacian(p[first], group[f])
     result = np.zeros((*welded.shape, 3))

@@ -22,7 +22,8 @@ from .._core.arrays import (
 from .._core.errors import MeshError, UnitError
 from .._core.notebook import table_html
 from .normals import vertex_normals
-from .topology import face_areas, open_edge_counts
+from .repairs import usable_faces
+from .topology import edge_counts, used_vertices, weld
 
 __all__ = ["Mesh"]
 
@@ -78,10 +79,10 @@ class Mesh:
     ) -> Mesh:
         """Return a mesh from arrays, checked and repaired; repairs are counted.
 
-        Repairs: faces without area and repeated faces are dropped, then vertices that no face uses;
-        normals that are missing, zero or not finite are computed. Counted, but kept: edges with one
-        face (``open edges``) or more than two (``non-manifold edges``), and neighbours of opposite
-        winding.
+        Repairs: faces without area, repeated faces and the second sides of doubled faces are dropped
+        (`skinshade.mesh.repairs.usable_faces`), then vertices that no face uses; normals that are
+        missing, zero or not finite are computed. Counted, but kept: edges with one face
+        (``open edges``) or more than two (``non-manifold edges``), and neighbours of opposite winding.
 
         Parameters
         ----------
@@ -132,15 +133,16 @@ class Mesh:
         coordinates = None if uvs is None else as_floats(f"{name}: uvs", uvs, (count, 2))
 
         repairs: dict[str, int] = {}
-        kept = _usable_faces(points, triangles, repairs, name)
-        groups = None
+        group, _ = weld(points)
+        kept = usable_faces(points, triangles, group, repairs, name)
+        numbers = None
         if materials is not None:
-            numbers = as_floats(f"{name}: materials", materials, (triangles.shape[0],))
-            groups = numbers.astype(np.int64)[kept]
-        triangles = triangles[kept]
+            values = as_floats(f"{name}: materials", materials, (triangles.shape[0],))
+            numbers = values.astype(np.int64)[kept]
+        triangles = triangles if kept.size == len(triangles) else triangles[kept]
+        welded = group[triangles]
         given = _given_normals(normals, count, name)
-        used = np.zeros(count, dtype=bool)
-        used[triangles] = True
+        used = used_vertices(triangles, count)
         if not keep_vertices and not used.all():
             repairs["unreferenced vertices dropped"] = int((~used).sum())
             triangles = (np.cumsum(used) - 1)[triangles]
@@ -148,7 +150,7 @@ class Mesh:
             columns = {key: value[used] for key, value in columns.items()}
             coordinates = None if coordinates is None else coordinates[used]
         given = _complete_normals(given, points, triangles, repairs)
-        repairs |= open_edge_counts(points, triangles)
+        repairs |= edge_counts(welded)
         return cls(
             points,
             given,
@@ -157,7 +159,7 @@ class Mesh:
             coordinates,
             columns,
             {key: value for key, value in repairs.items() if value},
-            groups,
+            numbers,
         )
 
     @property
@@ -231,33 +233,6 @@ def _complete_normals(
         chosen[triangles.ravel()] = np.repeat(face_normals, 3, axis=0)
         completed = np.where(zero[:, None], chosen, completed)
     return unit_vectors(completed)
-
-
-def _usable_faces(
-    points: FloatArray, triangles: IntArray, repairs: dict[str, int], name: str
-) -> IntArray:
-    """Return the indices of faces that have an area, each face once; count those that are dropped."""
-    usable = np.flatnonzero(face_areas(points, triangles) > 0.0)
-    if usable.size == 0:
-        raise MeshError(f"{name}: no face has an area")
-    kept = usable[_first_of_equal(triangles[usable], len(points))]
-    dropped = {
-        "faces without area dropped": triangles.shape[0] - usable.size,
-        "repeated faces dropped": usable.size - kept.size,
-    }
-    repairs.update({repair: count for repair, count in dropped.items() if count})
-    return kept
-
-
-def _first_of_equal(triangles: IntArray, vertex_count: int) -> IntArray:
-    """Return the increasing indices of the first of every set of equal faces."""
-    turned = (np.argmin(triangles, axis=1)[:, None] + np.arange(3)) % 3
-    a, b, c = np.take_along_axis(triangles, turned, axis=1).T
-    if vertex_count < 1 << 21:  # three indices fit in 63 bits
-        _, first = np.unique((a * vertex_count + b) * vertex_count + c, return_index=True)
-    else:
-        _, first = np.unique(np.stack([a, b, c], axis=1), axis=0, return_index=True)
-    return np.sort(first)
 
 
 def _given_normals(normals: ArrayLike | None, count: int, name: str) -> FloatArray:

@@ -84,7 +84,7 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         raise UnitError(
             f"{file}: {suffix} files do not state their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
         )
-    parts = _gltf_parts(file) if is_gltf else _trimesh_parts(file)
+    parts, notes = _gltf_parts(file) if is_gltf else (_trimesh_parts(file), {})
     triangles = joined([part.triangles for part in parts])
     baked = _common_unit([part.baked_unit_mm for part in parts])
     given = None if unit_mm is None else checked_unit_mm(unit_mm, str(file))
@@ -106,6 +106,7 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         )
     except SkinshadeError as error:
         raise type(error)(str(error)) from None
+    mesh = replace(mesh, repairs={**notes, **mesh.repairs})
     if unit_mm is None and baked is None:
         _warn_of_size(mesh, file)
     return mesh
@@ -135,10 +136,12 @@ def _warn_of_size(mesh: Mesh, file: Path) -> None:
         )
 
 
-def _gltf_parts(file: Path) -> list[_Part]:
+def _gltf_parts(file: Path) -> tuple[list[_Part], dict[str, int]]:
+    """Return the parts of a file, and counts of meshes that are skipped."""
     gltf = read_gltf(file)
     parts = []
-    for placed in read_scene(gltf, custom=True):
+    scene, notes = read_scene(gltf, custom=True)
+    for placed in scene:
         extras = gltf.items("meshes")[placed.mesh].get("extras")
         note = extras.get("skinshade") if isinstance(extras, dict) else None
         unit = baked_unit_mm(note, placed.matrix)
@@ -147,7 +150,7 @@ def _gltf_parts(file: Path) -> list[_Part]:
             baked = baked_attributes(triangles.attributes, placed.matrix)
             triangles = replace(triangles, attributes={**triangles.attributes, **baked})
         parts.append(_Part(triangles, unit))
-    return parts
+    return parts, notes
 
 
 def _trimesh_parts(file: Path) -> list[_Part]:

@@ -11,7 +11,16 @@ from scipy import sparse
 
 from .._core.arrays import FloatArray, IntArray
 
-__all__ = ["Neighbours", "corner_areas", "face_areas", "half_edges", "open_edge_counts", "weld"]
+__all__ = [
+    "Neighbours",
+    "corner_areas",
+    "edge_counts",
+    "face_areas",
+    "half_edges",
+    "open_edge_counts",
+    "used_vertices",
+    "weld",
+]
 
 BLOCK = 1 << 14
 """Faces in a block, whose data fit in a cache."""
@@ -38,6 +47,13 @@ def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
 def half_edges(faces: NDArray[Index]) -> tuple[NDArray[Index], NDArray[Index]]:
     """Return both ends (3F,), (3F,) of the sides of the faces; an inner edge occurs in both directions."""
     return faces.ravel(), faces[:, [1, 2, 0]].ravel()
+
+
+def used_vertices(faces: IntArray, count: int) -> NDArray[np.bool_]:
+    """Return which of `count` vertices (V,) a face uses."""
+    used = np.zeros(count, dtype=bool)
+    used[faces] = True
+    return used
 
 
 @dataclass(frozen=True)
@@ -97,6 +113,13 @@ class Neighbours:
         result[degree == 0] = 0.0
         return result
 
+    def greatest(self, values: FloatArray) -> FloatArray:
+        """Return the greatest (V,) of values (E,) ≥ 0 over the edges of every vertex; 0 without edges."""
+        starts, degree = self.starts[:-1], np.diff(self.starts)
+        result: FloatArray = np.maximum.reduceat(np.append(values, 0.0), starts)
+        result[degree == 0] = 0.0
+        return result
+
 
 def _perhaps_alone(one: IntArray, other: IntArray, count: int) -> IntArray:
     """Return sides that include all sides without a partner in the other direction.
@@ -136,11 +159,14 @@ def corner_areas(positions: FloatArray, faces: IntArray, vertex_count: int) -> F
 
 def open_edge_counts(positions: FloatArray, faces: IntArray) -> dict[str, int]:
     """Return counts of open edges, non-manifold edges, and edges of opposite winding, after welding."""
-    group, _ = weld(positions)
-    welded = group[faces]
+    return edge_counts(weld(positions)[0][faces])
+
+
+def edge_counts(welded: IntArray) -> dict[str, int]:
+    """Return the counts of `open_edge_counts` for faces (F, 3) whose corners are groups of `weld`."""
     start, end = half_edges(welded)
     low, high = np.minimum(start, end), np.maximum(start, end)
-    keys = low * positions.shape[0] + high
+    keys = low * (int(welded.max()) + 1) + high
     order = np.argsort(keys)
     starts = np.flatnonzero(np.diff(keys[order], prepend=-1))
     count = np.diff(starts, append=keys.size)

@@ -57,8 +57,7 @@ def test_baked_attributes_are_used_for_shading_without_a_new_analysis(baked, mon
         raise AssertionError("the attribute is in the file")
 
     mesh = load_mesh(baked)
-    monkeypatch.setattr(module, "mesh_curvature", refuse)
-    monkeypatch.setattr(module, "mesh_curvature_tensor", refuse)
+    monkeypatch.setattr(module.ShapeOperator, "fit", refuse)
     attributes = vertex_attributes(mesh, SKIN)
     assert np.array_equal(attributes["curvature"][:, 0], mesh.attributes["curvature"])
     assert np.array_equal(attributes["tensor"], mesh.attributes["tensor"])

@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 import shapes
 import tolerances as tol
 from skinshade.mesh import mesh_curvature, mesh_curvature_tensor
-from skinshade.mesh.curvature import apply_symmetric, tensor_to_world
 from skinshade.mesh.normals import tangent_frame
+from skinshade.mesh.tensors import apply_symmetric, tensor_to_world
 
 SHAPES = {
     "ellipsoid, icosphere": lambda: shapes.ellipsoid("icosphere", 5, (3.0, 2.0, 1.0)),

@@ -10,7 +10,7 @@ import shapes
 import tolerances as tol
 from skinshade._core.errors import ArgumentError, InputError, MeshError, UnitError
 from skinshade.mesh import Mesh
-from skinshade.mesh.model import _first_of_equal as first_of_equal
+from skinshade.mesh.repairs import first_of_equal
 
 BALL = shapes.sphere("icosphere", 2)
 COUNT = len(BALL.positions)

@@ -177,9 +177,13 @@ def test_all_parts_are_joined_in_the_axes_of_the_scene(tmp_path):
     assert mesh.repairs == {}
 
 
-def test_uvs_that_one_part_lacks_are_left_out(tmp_path):
-    file = scene_of_two(tmp_path, transform=translation(1.0, 0.0, 0.0), other_uvs=None)
-    assert load_mesh(file, unit_mm=1000.0).uvs is None
+def test_uvs_that_one_part_lacks_are_zero_and_those_of_the_other_are_kept(tmp_path):
+    moved = translation(1.0, 0.0, 0.0)
+    uvs = load_mesh(scene_of_two(tmp_path, transform=moved, other_uvs=None), unit_mm=1000.0).uvs
+    complete = load_mesh(scene_of_two(tmp_path, transform=moved), unit_mm=1000.0).uvs
+    zero = ~uvs.any(axis=1)
+    assert zero.sum() == len(BALL.positions)
+    np.testing.assert_array_equal(uvs[~zero], complete[~zero])
 
 
 def test_attributes_whose_shapes_differ_between_parts_are_left_out(tmp_path):

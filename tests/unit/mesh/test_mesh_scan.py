@@ -14,6 +14,7 @@ from skinshade.mesh import (
     mesh_curvature,
     mesh_uv_scale,
 )
+from skinshade.mesh.shape_operator import ShapeOperator
 from skinshade.mesh.topology import weld
 
 SIZE_MM = (430.0, 400.0, 261.0)
@@ -77,6 +78,13 @@ def test_the_curvature_of_the_scan_is_plausible_for_a_head(glb):
     assert -1.0 < low < -0.1
     assert 0.0 < middle < 0.02
     assert 0.1 < high < 1.0
+
+
+def test_the_bounds_of_the_fit_reduce_three_vertices_of_the_scan(glb, obj):
+    # With the stored normals, the fit at these vertices exceeds 4 over their shortest edge: 57 per mm at one.
+    assert ShapeOperator.fit(glb.positions_mm, glb.faces, glb.normals).bounded_vertices == 3
+    for mesh, normals in ((glb, None), (obj, obj.normals), (obj, None)):
+        assert ShapeOperator.fit(mesh.positions_mm, mesh.faces, normals).bounded_vertices == 0
 
 
 def test_vertices_split_at_seams_have_equal_curvature(glb):
