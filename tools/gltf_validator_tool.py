@@ -33,6 +33,8 @@ def install() -> str:
     npm = shutil.which("npm")
     if npm is None or shutil.which("node") is None:
         return "node and npm are not installed"
+    if Path(npm).resolve().parent == Path.cwd():  # where Windows looks first
+        return f"{npm} is in the current folder; run this in another one"
     FOLDER.mkdir(parents=True, exist_ok=True)
     command = [npm, "install", "--silent", "--no-audit", "--no-fund", "--ignore-scripts"]
     command += ["--prefix", str(FOLDER), f"gltf-validator@{VERSION}"]

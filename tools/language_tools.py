@@ -50,7 +50,7 @@ def install_dxc() -> str:
         requirements = Path(folder, "requirements.txt")
         requirements.write_text(DXC_SOURCE + "\n", encoding="utf-8")
         print("Downloading the DirectX shader compiler (67 MB)", flush=True)
-        command = [sys.executable, "-m", "pip", "download", "--quiet"]
+        command = [sys.executable, "-P", "-m", "pip", "download", "--quiet"]
         command += ["--disable-pip-version-check", "--no-deps", "--require-hashes"]
         # Only the source archive contains the libraries of all architectures.
         command += ["--no-binary=compushady"]

@@ -31,7 +31,7 @@ def main() -> None:
     scripts = Path(folder).resolve() / ("Scripts" if sys.platform == "win32" else "bin")
     constraints = Path(folder) / "constraints.txt"
     constraints.write_text("\n".join(lowest(project["dependencies"])) + "\n", encoding="utf-8")
-    pip = [str(scripts / "python"), "-m", "pip", "install", "--quiet"]
+    pip = [str(scripts / "python"), "-P", "-m", "pip", "install", "--quiet"]
     options = ["--disable-pip-version-check", "--constraint", str(constraints)]
     subprocess.run([*pip, *options, "--editable", f"{ROOT}[dev]"], check=True)
     command = [str(scripts / "python"), "-m", "pytest", "-n", "auto", *arguments]

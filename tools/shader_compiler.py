@@ -14,7 +14,15 @@ PACKAGE = "slangtorch==1.3.22"
 
 def main() -> None:
     """Install the package."""
-    command = [sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    command = [
+        sys.executable,
+        "-P",
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+    ]
     if subprocess.run([*command, "--no-deps", "--only-binary=:all:", PACKAGE]).returncode:
         print("Missing, so the tests that need it will be skipped: the Slang compiler")
 

@@ -17,8 +17,11 @@ Install your GPU's driver, or Mesa's software rasterizer: {DRIVER} on Debian, Ub
 
 
 def succeeds(script: str) -> bool:
-    """Return whether a script runs to its end in a new process, which looks for drivers afresh."""
-    return subprocess.run([sys.executable, "-c", script], capture_output=True).returncode == 0
+    """Return whether a script runs to its end in a new process, which looks for drivers afresh.
+
+    With ``-P``, the process does not import modules from the current folder.
+    """
+    return subprocess.run([sys.executable, "-P", "-c", script], capture_output=True).returncode == 0
 
 
 def driver_is_installed() -> bool:

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import import_module
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple, NoReturn
 
 import typer
+from typer.core import TyperGroup
 
 from .._core.errors import SkinshadeError, SkinshadeWarning
 from .._core.version import __version__
+from .signals import is_interrupted, raise_at_next
+from .terminal import echo, printable
 
-__all__ = ["command_line", "main"]
+__all__ = ["command_line", "run"]
 
 
 class Entry(NamedTuple):
@@ -42,6 +48,31 @@ COMMANDS = {
 }
 
 
+class Program(TyperGroup):
+    """Commands whose usage errors have escapes for control codes in their arguments."""
+
+    def make_context(self, *arguments: Any, **options: Any) -> Any:
+        """Parse the arguments of the program."""
+        with _printable_errors():
+            return super().make_context(*arguments, **options)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Parse the arguments of the command, and run it."""
+        with _printable_errors():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _printable_errors() -> Iterator[None]:
+    try:
+        yield
+    except Exception as error:
+        # Errors of the parser have their text in this attribute.
+        if isinstance(message := getattr(error, "message", None), str):
+            vars(error)["message"] = printable(message)
+        raise
+
+
 def command_line(*imported: str) -> typer.Typer:
     """Return the program. Commands that are not `imported` have a help text only.
 
@@ -49,6 +80,7 @@ def command_line(*imported: str) -> typer.Typer:
     """
     app = typer.Typer(
         name="skinshade",
+        cls=Program,
         help="Film-like skin for any renderer.",
         no_args_is_help=True,
         add_completion=False,
@@ -67,29 +99,33 @@ def command_line(*imported: str) -> typer.Typer:
     return app
 
 
-def main() -> None:
-    """Run the program. Exit codes: 0 success, 2 faulty input or request, 1 any other error."""
+def run() -> None:
+    """Run the command that the arguments name, and exit.
+
+    Exit codes: 0 success, 2 faulty input or request, 1 any other error.
+    """
     warnings.showwarning = _show_warning  # type: ignore[assignment]  # accepts any further arguments
     requested = next((word for word in sys.argv[1:] if not word.startswith("-")), "")
     try:
-        command_line(requested)()
+        program = command_line(requested)
+        raise_at_next()
+        program()
     except SkinshadeError as error:
-        _show_error(str(error))
-        sys.exit(error.exit_code)
-    except KeyboardInterrupt:
-        _show_error("interrupted")
-        sys.exit(1)
+        _fail(str(error), error.exit_code)
     except MemoryError:
-        _show_error("out of memory; a smaller --size or fewer --samples need less")
-        sys.exit(1)
+        _fail("out of memory; a smaller --size or fewer --samples need less", 1)
+    except OSError as error:
+        # A name that is too long, or a folder without permission.
+        if error.filename is not None:
+            _fail(f"{os.fsdecode(error.filename)}: {error.strerror}", 2)
+        _fail(f"internal error: {type(error).__name__}: {error}", 1)
     except Exception as error:
-        _show_error(f"internal error: {type(error).__name__}: {error}")
-        sys.exit(1)
+        _fail(f"internal error: {type(error).__name__}: {error}", 1)
 
 
 def _show_version(requested: bool) -> None:
     if requested:
-        typer.echo(f"skinshade {__version__}")
+        echo(f"skinshade {__version__}")
         raise typer.Exit
 
 
@@ -106,10 +142,13 @@ def _placeholder() -> None:
     """Serve as the function of commands that are not imported; it never runs."""
 
 
-def _show_error(message: str) -> None:
-    typer.echo(f"skinshade: error: {message}", err=True)
+def _fail(message: str, code: int) -> NoReturn:
+    """Exit with an error message, except after a signal, which has its own."""
+    if not is_interrupted():
+        echo(f"skinshade: error: {message}", err=True)
+    sys.exit(code)
 
 
 def _show_warning(message: Warning | str, category: type[Warning], *_: object) -> None:
     if issubclass(category, SkinshadeWarning):
-        typer.echo(f"skinshade: warning: {message}", err=True)
+        echo(f"skinshade: warning: {message}", err=True)

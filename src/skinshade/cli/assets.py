@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from ..heads import SCANS, fetch_scan
+from .terminal import echo
 
 __all__ = ["app"]
 
@@ -18,7 +19,7 @@ app = typer.Typer(no_args_is_help=True)
 def list_command() -> None:
     """List the scans."""
     for name, scan in SCANS.items():
-        typer.echo(f"{name}: {', '.join(scan.sha256)} (1 unit = {scan.unit_mm} mm; {scan.credit})")
+        echo(f"{name}: {', '.join(scan.sha256)} (1 unit = {scan.unit_mm} mm; {scan.credit})")
 
 
 @app.command("get")
@@ -33,5 +34,5 @@ def get_command(
 ) -> None:
     """Download a scan and check its hash."""
     for path in fetch_scan(name, folder, base_url):
-        typer.echo(path)
-    typer.echo(f"credit: {SCANS[name].credit}")
+        echo(path)
+    echo(f"credit: {SCANS[name].credit}")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
@@ -17,8 +19,11 @@ from ..baking.library import bake_library
 from ..baking.report import write_page, write_report
 from ..baking.settings import MapFormat, OutputFormat
 from ..mesh.rays import RayTracing
+from ..mesh.readers import SUFFIXES
 from .options import expand_options
-from .progress import terminal_progress
+from .progress import has_bar, terminal_progress
+from .terminal import echo, printable
+from .values import check_output
 
 __all__ = ["bake_command"]
 
@@ -107,7 +112,12 @@ def bake_command(
     ],
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="File for one model, or folder for several models."),
+        typer.Option(
+            "--output",
+            "-o",
+            callback=check_output,
+            help="File for one model, or folder for several models.",
+        ),
     ] = None,
     in_place: Annotated[
         bool,
@@ -152,7 +162,7 @@ def _bake_one(
     for mesh in baked.meshes:
         curvature = mesh.analysis.attributes["curvature"]
         notes = "".join(f"; {count} {note}" for note, count in mesh.all_notes.items())
-        typer.echo(
+        echo(
             f"{output}: mesh {mesh.name}, one unit is {mesh.mesh.unit_mm:g} mm, curvature"
             f" {curvature.min():.3f} to {curvature.max():.3f} per mm{notes}"
         )
@@ -161,29 +171,56 @@ def _bake_one(
 def _bake_many(
     sources: list[Path], output: Path, settings: BakeSettings, library: LibraryOptions
 ) -> None:
-    if output.exists() and not output.is_dir():
-        raise OutputError(f"{output}: is a file; several models need a folder")
+    _check_folder(output)
     jobs = plan_jobs(sources, output, settings, library.suffix, with_thumbnails=library.report)
+    _create_folder(output)
     start = monotonic()
     with terminal_progress() as progress:
         results = bake_library(
-            jobs, workers=library.jobs, cluster=library.cluster, progress=progress
+            jobs,
+            workers=library.jobs,
+            cluster=library.cluster,
+            progress=progress,
+            report=_print_result,
         )
     seconds = monotonic() - start
-    output.mkdir(parents=True, exist_ok=True)
     write_report(jobs, results, output / REPORT)
     if library.report:
         write_page(jobs, results, output / PAGE, seconds=seconds)
-        typer.echo(f"{output / PAGE}: open it in a browser")
-    _summarise(results, output)
-
-
-def _summarise(results: list[JobResult], output: Path) -> None:
-    for result in results:
-        if result.status == "failed":
-            typer.echo(f"skinshade: error: {result.error}", err=True)
+        echo(f"{output / PAGE}: open it in a browser")
     counts = status_counts(results)
     summary = ", ".join(f"{number} {status}" for status, number in counts.items())
-    typer.echo(f"{output}: {summary}; {output / REPORT}")
+    echo(f"{output}: {summary}; {output / REPORT}")
     if counts["failed"]:
         raise InputError(f"{counts['failed']} of {len(results)} models failed")
+
+
+def _check_folder(output: Path) -> None:
+    if output.is_dir():
+        return
+    if output.exists():
+        raise OutputError(f"{output}: is a file; several models need a folder")
+    if output.suffix.lower() in {*SUFFIXES, *(f".{name}" for name in OutputFormat)}:
+        raise OutputError(
+            f"{output}: is the name of a file; a folder of models, several models and --report need"
+            " the name of a folder"
+        )
+
+
+def _create_folder(output: Path) -> None:
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{output}: cannot create this folder ({error.strerror})") from None
+    if not os.access(output, os.W_OK | os.X_OK):
+        raise OutputError(f"{output}: no permission to write into this folder")
+
+
+def _print_result(result: JobResult) -> None:
+    """Print the result of a model in one line, except of a valid one if a terminal shows a bar."""
+    name = printable(result.source)
+    if result.status == "failed":
+        reason = result.error.removeprefix(f"{result.source}: ")
+        echo(f"{name}: failed: {printable(reason)}", err=True)
+    elif not (has_bar() and sys.stdout is not None and sys.stdout.isatty()):
+        echo(f"{name}: {result.status}")

@@ -6,23 +6,20 @@ import os
 import platform
 from importlib.metadata import version
 
-import typer
-
 from .._core.version import __version__
+from .terminal import echo
 
 __all__ = ["doctor_command"]
 
 
 def doctor_command() -> None:
     """Print versions, cores and backends."""
-    typer.echo(
-        f"skinshade {__version__}, Python {platform.python_version()}, {platform.platform()}"
-    )
+    echo(f"skinshade {__version__}, Python {platform.python_version()}, {platform.platform()}")
     for package in ("numpy", "scipy", "trimesh", "OpenImageIO"):
-        typer.echo(f"{package} {version(package)}")
-    typer.echo(f"backend cpu: {os.cpu_count()} cores")
+        echo(f"{package} {version(package)}")
+    echo(f"backend cpu: {os.cpu_count()} cores")
     for line in _gpus():
-        typer.echo(f"backend gpu: {line}")
+        echo(f"backend gpu: {line}")
 
 
 def _gpus() -> list[str]:

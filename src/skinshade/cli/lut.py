@@ -12,7 +12,8 @@ from ..lut import DiffusionGeometry, Lut, build_shadow_lut
 from ..lut.classic import CLASSIC_DIFFUSION_RADIUS_MM, classic_curvature_lut, classic_shadow_lut
 from ..profile import Profile
 from ..shading.tables import build_curvature_lut
-from .values import parse_pair, parse_size
+from .terminal import echo
+from .values import check_output, parse_pair, parse_size
 
 __all__ = ["app"]
 
@@ -20,7 +21,15 @@ app = typer.Typer(no_args_is_help=True)
 
 LARGEST_RADIUS_MM = 1e6
 
-Output = Annotated[Path, typer.Option("--output", "-o", help="File: .exr, .png (16 bits) or .npz.")]
+Output = Annotated[
+    Path,
+    typer.Option(
+        "--output",
+        "-o",
+        callback=check_output,
+        help="File: .exr, .png (16 bits) or .npz.",
+    ),
+]
 ProfileName = Annotated[
     str, typer.Option("--profile", help="Diffusion profile; see skinshade profile.")
 ]
@@ -105,4 +114,4 @@ def _save(table: Lut, output: Path) -> None:
     table.save(output)
     low, high = table.value_range
     height, width, _ = table.values.shape
-    typer.echo(f"{output}: {width}×{height}, values {low:.4f} to {high:.4f}")
+    echo(f"{output}: {width}×{height}, values {low:.4f} to {high:.4f}")

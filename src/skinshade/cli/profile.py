@@ -12,6 +12,8 @@ from .._core.errors import ArgumentError, OutputError
 from .._core.files import atomic_write
 from ..profile import Profile, presets
 from ..profile.presets import preset_record
+from .terminal import echo
+from .values import check_output
 
 __all__ = ["profile_command"]
 
@@ -23,7 +25,13 @@ def profile_command(
         str | None, typer.Argument(help="Name of a profile; without it, all profiles are listed.")
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="PNG for a plot of R(r) and T(k).")
+        Path | None,
+        typer.Option(
+            "--output",
+            "-o",
+            callback=check_output,
+            help="PNG for a plot of R(r) and T(k).",
+        ),
     ] = None,
     scale: Annotated[float, typer.Option(help="Factor of every length.")] = 1.0,
 ) -> None:
@@ -42,7 +50,7 @@ def profile_command(
         "Gaussians": f"{mixture.variances_mm2.size}, |ΔT| ≤ {residual:.1e}",
     }
     for label, text in rows.items():
-        typer.echo(f"{label:<12}{text}")
+        echo(f"{label:<12}{text}")
     if output is not None:
         _plot(profile, name, output)
 
@@ -51,7 +59,7 @@ def _list() -> None:
     for name in presets():
         record = preset_record(name)
         rms = "  ".join(f"{value:6.3f}" for value in Profile.preset(name).rms_radius_mm)
-        typer.echo(
+        echo(
             f"{name:<14} {record['kind']:<10} rms {rms} mm  {record['about']} [{record['source']}]"
         )
 

@@ -19,8 +19,9 @@ from .options import expand_options
 from .picture import ShadingOptions
 from .progress import terminal_progress
 from .scene import LightOptions, MaterialOptions, ModelOptions, build_scene
+from .terminal import echo
 from .timings import timing_report
-from .values import parse_size
+from .values import check_output, parse_size
 
 __all__ = ["render_command"]
 
@@ -39,7 +40,10 @@ def render_command(
     *,
     model: ModelOptions,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="PNG, or EXR with linear light.")
+        Path,
+        typer.Option(
+            "--output", "-o", callback=check_output, help="PNG, or EXR with linear light."
+        ),
     ] = Path("skin.png"),
     size: Annotated[
         str, typer.Option(help="WIDTHxHEIGHT in pixels; with --compare, of every picture.")
@@ -86,9 +90,9 @@ def render_command(
             _draw_turntable(renderer, scene, extent, samples, settings, turntable, output)
         else:
             _draw(renderer, scene.camera, extent, samples, settings, output)
-            typer.echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.device_name}")
+            echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.device_name}")
     if timings is not None:
-        typer.echo(timing_report(renderer, as_json=timings == TimingForm.JSON))
+        echo(timing_report(renderer, as_json=timings == TimingForm.JSON))
 
 
 def _report_parts(scene: Scene) -> None:
@@ -130,7 +134,7 @@ def _draw_compared(
         for image, variant in zip(images, settings, strict=True)
     ]
     save_image(output, side_by_side(pictures, [label for label, _ in variants]))
-    typer.echo(
+    echo(
         f"{output}: {len(pictures)} pictures of {size[0]}×{size[1]}, drawn on {renderer.device_name}"
     )
 
@@ -149,6 +153,6 @@ def _draw_turntable(
         camera = scene.camera.orbited(360.0 * frame / frames)
         path = output.with_stem(f"{output.stem}-{frame:0{digits}d}")
         _draw(renderer, camera, size, samples, settings, path)
-    typer.echo(
+    echo(
         f"{output.with_stem(output.stem + '-*')}: {frames} frames, drawn on {renderer.device_name}"
     )

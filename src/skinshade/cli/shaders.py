@@ -11,6 +11,8 @@ from ..params import SkinParams
 from ..profile import Profile
 from ..sdk import LANGUAGES, Language, export_shaders
 from .progress import terminal_progress
+from .terminal import echo
+from .values import check_output
 
 __all__ = ["app"]
 
@@ -23,7 +25,13 @@ DEFAULTS = SkinParams()
 def export_command(
     language: Annotated[Language, typer.Option(help="Shading language.")],
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="Folder; it is created if it does not exist.")
+        Path,
+        typer.Option(
+            "--output",
+            "-o",
+            callback=check_output,
+            help="Folder; it is created if it does not exist.",
+        ),
     ],
     profile: Annotated[
         str, typer.Option(help="Diffusion profile; see skinshade profile.")
@@ -49,6 +57,4 @@ def export_command(
         paths = export_shaders(
             language, output, profile=Profile.preset(profile), params=params, progress=progress
         )
-    typer.echo(
-        f"{output}: {len(paths)} files for {LANGUAGES[language].title}; begin with README.md"
-    )
+    echo(f"{output}: {len(paths)} files for {LANGUAGES[language].title}; begin with README.md")

@@ -3,10 +3,26 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
-from .._core.errors import ArgumentError
+from .._core.errors import ArgumentError, OutputError
 
-__all__ = ["parse_numbers", "parse_pair", "parse_size"]
+__all__ = ["check_output", "parse_numbers", "parse_pair", "parse_size"]
+
+
+def check_output(output: Path | None) -> Path | None:
+    """Return the path of an output.
+
+    Raises
+    ------
+    OutputError
+        If it is ``-``, which other programs take for standard output.
+    """
+    if output == Path("-"):
+        raise OutputError(
+            "--output is '-'; writing to standard output is not supported, give the name of a file or folder"
+        )
+    return output
 
 
 def parse_numbers(text: str, count: int, option: str) -> tuple[float, ...]:

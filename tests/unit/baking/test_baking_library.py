@@ -14,7 +14,6 @@ from test_baking_plan import RECORDS, SETTINGS, write_asset
 
 import skinshade
 from skinshade._core.errors import ArgumentError, BackendError, DependencyError
-from skinshade.baking import library
 from skinshade.baking.jobs import plan_jobs, run_job
 from skinshade.baking.library import bake_library
 
@@ -210,17 +209,6 @@ def test_only_the_job_that_always_kills_its_process_fails(tmp_path, few):
     assert library_content(tmp_path / "out") == expected
 
 
-def test_a_crash_makes_only_the_running_jobs_suspect(few):
-    """Jobs that wait are not suspect; each suspect would need its own process."""
-    jobs, _ = few
-    pairs = list(library._until_crash(jobs, [3, *range(3), *range(4, 9)], 1, crash_at_start))
-    assert pairs == [(3, None)]
-
-
-def crash_at_start(job):
-    os._exit(1)
-
-
 @pytest.mark.slow
 def test_a_killed_worker_of_a_cluster_loses_no_asset(tmp_path, few, cluster):
     jobs, content = few
@@ -277,7 +265,7 @@ def test_a_number_of_processes_out_of_range_is_refused(few, workers):
 
 
 def test_without_dask_the_error_states_what_to_install(few, monkeypatch):
-    monkeypatch.setattr(library, "find_spec", lambda name: None)
+    monkeypatch.setattr("skinshade.baking.cluster.find_spec", lambda name: None)
     with pytest.raises(DependencyError, match=r"skinshade\[dask\]"):
         bake_library(few[0], cluster="tcp://127.0.0.1:1")
 

@@ -81,7 +81,7 @@ def test_the_list_of_commands_shows_the_help_of_the_command(name):
 
 
 def test_the_list_of_commands_appears_without_numpy():
-    script = "import sys; sys.argv = ['skinshade', '--help']\nfrom skinshade.cli.app import main\n"
+    script = "import sys; sys.argv = ['skinshade', '--help']\nfrom skinshade.cli import main\n"
     script += "try:\n    main()\nexcept SystemExit:\n    print('numpy' in sys.modules)"
     process = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, encoding="utf-8", check=True
@@ -130,21 +130,23 @@ def test_an_unknown_command_is_named_with_exit_code_2(tmp_path, words):
 # -- errors ----------------------------------------------------------------------------------------
 
 
-def run_main(monkeypatch, program, words):
-    """Run `main` with another program in place of the commands."""
+def run_app(monkeypatch, program, words):
+    """Run `app.run` with another program in place of the commands."""
     monkeypatch.setattr(app, "command_line", program)
     monkeypatch.setattr(sys, "argv", ["skinshade", *words])
     monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)  # restored after the test
-    app.main()
+    app.run()
 
 
 ERRORS = [
     (ArgumentError("gloss is 2"), 2, "gloss is 2"),
     (BackendError("no adapter"), 1, "no adapter"),
-    (KeyboardInterrupt(), 1, "interrupted"),
     (MemoryError(), 1, "out of memory; a smaller --size or fewer --samples need less"),
     (RuntimeError("a fault"), 1, "internal error: RuntimeError: a fault"),
-    (OSError(36, "File name too long"), 1, "internal error: OSError: "),
+    (OSError(5, "Input/output error"), 1, "internal error: OSError: "),
+    (OSError(36, "File name too long", "a.glb"), 2, "a.glb: File name too long"),
+    (OSError(36, "File name too long", b"a.glb"), 2, "a.glb: File name too long"),
+    (ArgumentError("\x1b[31m\r"), 2, r"\x1b[31m\r"),
 ]
 
 
@@ -154,7 +156,7 @@ def test_an_error_is_one_line_with_its_exit_code(monkeypatch, capsys, error, cod
         raise error
 
     with pytest.raises(SystemExit) as caught:
-        run_main(monkeypatch, program, ["render"])
+        run_app(monkeypatch, program, ["render"])
     assert caught.value.code == code
     out, err = capsys.readouterr()
     assert out == ""
@@ -185,5 +187,5 @@ def test_only_the_requested_command_is_imported(monkeypatch, words, name):
         requested.extend(names)
         return lambda: None
 
-    run_main(monkeypatch, program, words)
+    run_app(monkeypatch, program, words)
     assert requested == [name]

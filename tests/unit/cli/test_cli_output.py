@@ -285,7 +285,7 @@ def test_bake_of_several_models_reports_those_that_failed(tmp_path):
     outcome = run(tmp_path, *words)
     assert outcome.code == 2
     failed, *_, summary = outcome.err.splitlines()
-    assert re.fullmatch(r"skinshade: error: .*cut\.glb: .*", failed)
+    assert re.fullmatch(r".*cut\.glb: failed: .*", failed)
     assert summary == "skinshade: error: 1 of 2 models failed"
     assert "Traceback" not in outcome.err
     report = json.loads((tmp_path / "baked" / "skinshade-bake.json").read_text("utf-8"))
