@@ -116,4 +116,4 @@ class AssetWarning(SkinshadeWarning):
 
 
 class UnitWarning(SkinshadeWarning):
-    """The unit that a file format prescribes makes the object implausibly large or small."""
+    """The unit of a file makes the object implausibly large or small."""

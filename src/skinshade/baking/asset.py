@@ -12,8 +12,10 @@ from .._core.errors import ArgumentError, MeshError, OutputError
 from .._core.files import FileSet, atomic_files, remove_dead_files
 from .._core.processes import output_lock
 from .._core.progress import Progress, silent
+from .._core.units import GLTF_UNIT_MM
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh import load_mesh
+from ..mesh.size import warn_of_size
 from .analysis import BakedMesh, analyse
 from .formats import write_mesh
 from .gltf import bake_gltf
@@ -83,6 +85,12 @@ def bake(
         If the source is faulty, its unit is unknown, a setting is not allowed, the output cannot be written,
         another process writes it, or another file would be replaced.
 
+    Warns
+    -----
+    UnitWarning
+        If the unit makes the asset smaller than an ear or larger than a person, as in
+        `skinshade.load_mesh`.
+
     Examples
     --------
     >>> import skinshade as sk
@@ -118,6 +126,9 @@ def _bake(
     if is_gltf and target.suffix.lower() in GLTF_SUFFIXES:
         gltf = without_bake(read_gltf(file))
         baked = bake_gltf(gltf, settings, progress)
+        if baked.extent_mm.any():
+            unit_mm, is_given = settings.unit_mm or GLTF_UNIT_MM, settings.unit_mm is not None
+            warn_of_size(baked.extent_mm, file, unit_mm, "given" if is_given else "format")
         _add_maps(files, baked.meshes, file, target, settings)
         write_gltf(files, gltf, baked, target, replaceable)
         return baked.meshes

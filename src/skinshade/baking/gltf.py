@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from .._core.arrays import FloatArray
+from .._core.errors import MeshFileError
 from .._core.progress import Progress, silent
 from .._core.units import GLTF_UNIT_MM
 from .._core.version import __version__
@@ -23,10 +24,11 @@ from ..gltf import (
     scale_of,
 )
 from ..gltf.placement import Placement, SkippedNode
-from ..gltf.primitives import geometry_key, no_mesh_left
+from ..gltf.primitives import geometry_key, no_mesh_reason
 from ..gltf.write import AccessorWriter
 from ..mesh import Mesh
 from ..mesh.baked import GLTF_NAMES
+from ..mesh.topology import used_vertices
 from .analysis import Analysis, BakedMesh, analyse
 from .settings import BakeSettings
 
@@ -47,11 +49,15 @@ class GltfBake:
         Bytes of the new attributes.
     meshes
         Meshes that were baked.
+    extent_mm
+        (3,) size of all placed meshes along the axes of the scene, mm; 0 if none is placed. A turned mesh
+        counts as the box that turns with it.
     """
 
     json: dict[str, Any]
     data: bytes
     meshes: list[BakedMesh]
+    extent_mm: FloatArray
 
 
 def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = silent) -> GltfBake:
@@ -75,6 +81,8 @@ def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = s
         If the document is malformed, contains no triangles, or every mesh is skipped.
     """
     placements = mesh_placements(gltf)
+    unplaced = Placement([] if "nodes" in gltf.json else [np.eye(4)])
+    boxes: list[FloatArray] = []
     meshes = gltf.items("meshes")
     skipped: list[tuple[int, SkippedNode]] = []
     # Meshes that differ only in their materials are analysed once.
@@ -84,7 +92,7 @@ def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = s
     for index, entry in enumerate(meshes):
         progress("baking", index / len(meshes))
         name = str(entry.get("name") or index)
-        placement = placements.get(index, Placement())
+        placement = placements.get(index, unplaced)
         if placement.skipped and not placement.matrices:
             skipped.append((index, placement.skipped[0]))
             continue
@@ -102,11 +110,15 @@ def bake_gltf(gltf: GltfDocument, settings: BakeSettings, progress: Progress = s
             result = BakedMesh(name, result.mesh, result.analysis, {**notes, **result.notes})
             writer.add(index, parts, result, settings)
             baked.append(result)
+            boxes += _placed_boxes(result.mesh, placement.matrices)
     if not baked:
-        raise no_mesh_left(gltf, skipped)
+        raise MeshFileError(f"{gltf.path}: {no_mesh_reason(skipped)}")
     document_notes = Counter(node.note for _, node in skipped)
     baked[0] = replace(baked[0], notes={**baked[0].notes, **document_notes})
-    return GltfBake(writer.json, bytes(writer.accessors.data), baked)
+    with np.errstate(over="ignore"):  # an infinite extent is implausible
+        extent = np.ptp(np.concatenate(boxes), axis=0) if boxes else np.zeros(3)
+        extent_mm = extent * (settings.unit_mm or GLTF_UNIT_MM)
+    return GltfBake(writer.json, bytes(writer.accessors.data), baked, extent_mm)
 
 
 def bake_note(analysis: Analysis, unit_mm: float, settings: BakeSettings) -> dict[str, Any]:
@@ -138,6 +150,14 @@ def _analysed(
         name=name,
     )
     return BakedMesh("", mesh, analyse(mesh, settings, name, progress), notes)
+
+
+def _placed_boxes(mesh: Mesh, matrices: Sequence[FloatArray]) -> list[FloatArray]:
+    """Return the corners (8, 3) of the box of a mesh at every node, in the axes and unit of the scene."""
+    points = mesh.positions[used_vertices(mesh.faces, len(mesh.positions))]
+    ends = np.stack([points.min(axis=0), points.max(axis=0)])
+    corners = np.stack(np.meshgrid(*ends.T, indexing="ij"), axis=-1).reshape(8, 3)
+    return [corners @ matrix[:3, :3].T + matrix[:3, 3] for matrix in matrices]
 
 
 def _unit_mm(

@@ -22,7 +22,7 @@ __all__ = [
     "TriangleSet",
     "geometry_key",
     "joined",
-    "no_mesh_left",
+    "no_mesh_reason",
     "read_mesh",
     "read_scene",
 ]
@@ -181,24 +181,22 @@ def read_scene(gltf: GltfDocument, *, custom: bool = False) -> tuple[list[Placed
             gltf.count_numbers(mesh[1].positions.size + mesh[1].faces.size, where)
             placed.append(Placed(index, matrix, _placed(mesh[1], matrix)))
     if not placed:
-        raise no_mesh_left(gltf, skipped)
+        raise MeshFileError(f"{gltf.path}: {no_mesh_reason(skipped)}")
     return placed, dict(Counter(node.note for _, node in skipped))
 
 
-def no_mesh_left(gltf: GltfDocument, skipped: Sequence[tuple[int, SkippedNode]]) -> MeshFileError:
-    """Return the error for a document without triangles, or whose meshes are all skipped.
+def no_mesh_reason(skipped: Sequence[tuple[int, SkippedNode]]) -> str:
+    """Return why a document shows no triangles, for an error message.
 
     Parameters
     ----------
-    gltf
-        Document.
     skipped
         Index of the mesh, and the node, of everything that is skipped.
     """
     if not skipped:
-        return MeshFileError(f"{gltf.path}: holds no triangles")
+        return "holds no triangles"
     index, node = skipped[0]
-    return MeshFileError(f"{gltf.path}: mesh {index}: {node.reason}")
+    return f"mesh {index}: {node.reason}"
 
 
 def geometry_key(gltf: GltfDocument, index: int) -> str:

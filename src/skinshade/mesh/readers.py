@@ -12,21 +12,20 @@ from typing import Any
 import numpy as np
 
 from .._core.arrays import FloatArray
-from .._core.errors import MeshFileError, SkinshadeError, UnitError, UnitWarning
+from .._core.errors import MeshFileError, SkinshadeError, UnitError
 from .._core.files import existing_file
 from .._core.units import GLTF_UNIT_MM, checked_unit_mm
 from ..gltf import GLTF_SUFFIXES, TriangleSet, read_gltf, read_scene
 from ..gltf.primitives import joined
 from .baked import GLTF_NAMES, baked_attributes, baked_unit_mm
 from .model import Mesh
+from .size import UnitSource, warn_of_size
 
 __all__ = ["SUFFIXES", "load_mesh"]
 
 SUFFIXES = (*GLTF_SUFFIXES, ".obj", ".ply", ".stl")
 SAME_UNIT = 1e-4
 """Relative difference of units that count as equal: node scales are single precision."""
-PLAUSIBLE_MM = (20.0, 3000.0)
-"""Plausible diagonals of a body, from a fingertip to a tall person."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +62,8 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     Warns
     -----
     UnitWarning
-        If glTF's metres make the object smaller than a fingertip or larger than a person.
+        If the unit makes the object smaller than an ear or larger than a person
+        (`skinshade.mesh.size.PLAUSIBLE_MM`).
 
     Examples
     --------
@@ -107,8 +107,8 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     except SkinshadeError as error:
         raise type(error)(str(error)) from None
     mesh = replace(mesh, repairs={**notes, **mesh.repairs})
-    if unit_mm is None and baked is None:
-        _warn_of_size(mesh, file)
+    source: UnitSource = "given" if given else "baked" if baked else "format"
+    warn_of_size(np.ptp(mesh.positions_mm, axis=0), file, unit, source)
     return mesh
 
 
@@ -123,17 +123,6 @@ def _common_unit(units: Sequence[float | None]) -> float | None:
     if len(known) < len(units) or max(known) > min(known) * (1.0 + SAME_UNIT):
         return None
     return known[0]
-
-
-def _warn_of_size(mesh: Mesh, file: Path) -> None:
-    diagonal = float(np.linalg.norm(np.ptp(mesh.positions_mm, axis=0)))
-    if not PLAUSIBLE_MM[0] <= diagonal <= PLAUSIBLE_MM[1]:
-        warnings.warn(
-            f"{file}: in metres, the unit of glTF, the object is {diagonal / GLTF_UNIT_MM:.3g} m across;"
-            " give unit_mm if the file has another unit",
-            UnitWarning,
-            stacklevel=3,
-        )
 
 
 def _gltf_parts(file: Path) -> tuple[list[_Part], dict[str, int]]:

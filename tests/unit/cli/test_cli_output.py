@@ -279,6 +279,24 @@ def test_bake_prints_the_range_of_curvature_of_a_model(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("bake", "ball.glb", "-o", "baked.glb"),
+        ("bake", "ball.glb", "-o", "folder"),
+        ("render", "ball.glb", "-o", "ball.png", "--size", "16x9", "--samples", "1"),
+    ],
+    ids=["bake", "bake to a folder", "render"],
+)
+def test_a_unit_that_makes_a_model_implausibly_large_warns_in_one_line(tmp_path, words):
+    write_inputs(tmp_path)
+    outcome = run(tmp_path, *words, "--unit-mm", "100000")
+    assert outcome.code == 0
+    (line,) = outcome.err.splitlines()
+    assert re.match(r"skinshade: warning: \S*ball\.glb: with the given unit of 100000 mm, ", line)
+
+
+@pytest.mark.slow
 def test_bake_of_several_models_reports_those_that_failed(tmp_path):
     write_inputs(tmp_path)
     words = ("bake", "ball.glb", "cut.glb", "-o", "baked", "--report")

@@ -1,7 +1,5 @@
 """Mesh files of every format, written by other programs."""
 
-import warnings
-
 import numpy as np
 import pygltflib
 import pytest
@@ -9,7 +7,7 @@ import trimesh
 
 import shapes
 import tolerances as tol
-from skinshade._core.errors import UnitError, UnitWarning
+from skinshade._core.errors import UnitError
 from skinshade.mesh import load_mesh, mesh_curvature
 
 BALL = shapes.ellipsoid("icosphere", 2, (0.15, 0.1, 0.12))
@@ -243,29 +241,6 @@ def test_gltf_is_in_metres(tmp_path, suffix):
     mesh = load_mesh(exported(tmp_path, suffix))
     assert mesh.unit_mm == 1000.0
     assert np.ptp(mesh.positions_mm, axis=0) == pytest.approx([300.0, 200.0, 240.0], rel=0.05)
-
-
-@pytest.mark.parametrize("scale", [0.02, 20.0])
-def test_gltf_of_implausible_size_warns_with_the_remedy(tmp_path, scale):
-    file = exported(tmp_path, ".glb", scale=scale)
-    with pytest.warns(UnitWarning, match="give unit_mm") as caught:
-        mesh = load_mesh(file)
-    assert str(file) in str(caught[0].message)
-    assert caught[0].filename == __file__
-    assert mesh.unit_mm == 1000.0
-
-
-@pytest.mark.parametrize("scale", [0.06, 1.0, 6.5])
-def test_gltf_of_plausible_size_does_not_warn(tmp_path, scale):
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        mesh = load_mesh(exported(tmp_path, ".glb", scale=scale))
-    assert mesh.unit_mm == 1000.0
-
-
-def test_a_given_unit_is_used_without_a_warning(tmp_path):
-    mesh = load_mesh(exported(tmp_path, ".glb", scale=100.0), unit_mm=10.0)
-    assert mesh.unit_mm == 10.0
 
 
 @pytest.mark.parametrize("unit_mm", [0.0, -10.0, np.nan, np.inf, "cm"])

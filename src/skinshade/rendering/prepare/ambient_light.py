@@ -39,6 +39,11 @@ BOUNCE_REACH_MM = 35.0
 """Standard deviation of the Gaussian over the surface that bounces light to a vertex: the distance from
 chin to neck, or from nose to cheek."""
 
+MOST_VOXELS = 1 << 21
+"""Greatest number of voxels of the grid for bounced light: 16 MiB for each of its four values. A cube with a
+side of 1.1 m has as many voxels of a quarter of the reach; larger bodies have larger voxels, because light
+that bounces within 35 mm is a detail of theirs."""
+
 
 @dataclass(frozen=True)
 class AmbientLight:
@@ -185,8 +190,8 @@ def _bounced(mesh: Mesh, radiosity: FloatArray, visibility: FloatArray) -> Float
 
 def _averaged_nearby(mesh: Mesh, values: FloatArray) -> FloatArray:
     """Return values (V, 3) blurred over the surface by `BOUNCE_REACH_MM`, on a grid of voxels."""
-    voxel = 0.25 * BOUNCE_REACH_MM
     points = mesh.positions_mm
+    voxel = _voxel_mm(np.ptp(points, axis=0))
     coordinates = (points - points.min(axis=0)) / voxel
     cell = coordinates.astype(np.int64)
     shape = cell.max(axis=0) + 1
@@ -206,6 +211,15 @@ def _averaged_nearby(mesh: Mesh, values: FloatArray) -> FloatArray:
         axis=1,
     )
     return sampled[:, :3] / np.maximum(sampled[:, 3:], 1e-12)
+
+
+def _voxel_mm(extent_mm: FloatArray) -> float:
+    """Return the side of a voxel, mm, for a body of an extent (3,): a quarter of the reach, or more."""
+    voxel = 0.25 * BOUNCE_REACH_MM
+    # A long, thin body needs several steps, because an axis has at least one voxel.
+    while (excess := float(np.prod(np.floor(extent_mm / voxel) + 1.0)) / MOST_VOXELS) > 1.0:
+        voxel *= 1.01 * np.cbrt(excess)
+    return voxel
 
 
 def _lattice_directions(count: int) -> FloatArray:
