@@ -17,6 +17,13 @@ VARIABLE = "SKINSHADE_TEST_RUN"
 SOURCE = str(Path(skinshade.__file__).parents[1])
 
 
+def program_environment() -> dict[str, str]:
+    """Return the environment of users: output into pipes is buffered."""
+    environment = os.environ | {"PYTHONPATH": SOURCE}
+    environment.pop("PYTHONUNBUFFERED", None)
+    return environment
+
+
 class Started:
     """Python process in a session of its own, with pipes for its output.
 
@@ -27,7 +34,7 @@ class Started:
         self, folder: Path, *words: str, stderr: int = subprocess.PIPE, **variables: str
     ) -> None:
         self.mark = uuid.uuid4().hex
-        environment = os.environ | {"PYTHONPATH": SOURCE, VARIABLE: self.mark} | variables
+        environment = program_environment() | {VARIABLE: self.mark} | variables
         # A process ignores SIGINT if its parent does, such as tests in the background of a script.
         handler = signal.signal(signal.SIGINT, signal.default_int_handler)
         self.process = subprocess.Popen(

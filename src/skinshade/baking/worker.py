@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 from importlib.util import module_from_spec, spec_from_file_location
+from io import TextIOWrapper
 from pathlib import Path
 from queue import SimpleQueue
 from types import FrameType
@@ -56,6 +57,10 @@ def main() -> None:
     sys.unraisablehook = lambda _: None  # an interruption within a destructor prints nothing
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what libraries print goes to the standard error, not between the answers
+    if isinstance(sys.stdout, TextIOWrapper):
+        sys.stdout.reconfigure(
+            line_buffering=True
+        )  # the end of the process does not write the rest
     sys.path[:] = [*sys.argv[1:], *(entry for entry in sys.path if entry not in sys.argv)]
     jobs = SimpleQueue[bytes | None]()
     code = 1

@@ -16,7 +16,7 @@ from typer.core import TyperGroup
 from .._core.errors import SkinshadeError, SkinshadeWarning
 from .._core.version import __version__
 from .signals import is_interrupted, raise_at_next
-from .terminal import echo, printable
+from .terminal import drop_unwritable, echo, printable
 
 __all__ = ["command_line", "run"]
 
@@ -121,6 +121,8 @@ def run() -> None:
         _fail(f"internal error: {type(error).__name__}: {error}", 1)
     except Exception as error:
         _fail(f"internal error: {type(error).__name__}: {error}", 1)
+    finally:
+        drop_unwritable()
 
 
 def _show_version(requested: bool) -> None:

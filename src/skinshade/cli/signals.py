@@ -47,7 +47,8 @@ def handle() -> None:
     atexit.register(_ignore)  # as the first function, it runs last
     sys.unraisablehook = _interrupt_again
     reading, writing = os.pipe()
-    os.set_blocking(writing, False)
+    if hasattr(os, "set_blocking"):  # always except on Windows before Python 3.12
+        os.set_blocking(writing, False)
     signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
     start_new_thread(_watch, (reading, get_ident()))
 
@@ -114,8 +115,9 @@ def _is_import(frame: FrameType | None) -> bool:
 
 
 def _exit(number: int, frame: FrameType | None) -> None:
-    _received.append(number)
-    exit_interrupted()
+    if not _received:
+        _received.append(number)
+        exit_interrupted()
 
 
 def _ignore() -> None:
@@ -141,7 +143,7 @@ def _watch(reading: int, main_thread: int) -> None:
         time.sleep(STEP_SECONDS)
         if not _received:
             _send(signal.Signals(number), main_thread)
-    _received.append(number)
+    _received.append(number)  # the first entry counts
     exit_interrupted()
 
 

@@ -9,7 +9,7 @@ from typing import TextIO
 
 from .._core.errors import OutputError
 
-__all__ = ["echo", "prepare_streams", "printable"]
+__all__ = ["drop_unwritable", "echo", "prepare_streams", "printable"]
 
 
 def prepare_streams() -> None:
@@ -25,6 +25,16 @@ def prepare_streams() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
+
+
+def drop_unwritable() -> None:
+    """Drop what cannot be written to a full disk or a closed pipe; the interpreter would try it once more."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            if stream is not None:
+                stream.flush()
+        except OSError:
+            _discard(stream)
 
 
 def printable(text: str) -> str:
@@ -72,7 +82,7 @@ def echo(message: object, *, err: bool = False) -> None:
 
 
 def _discard(stream: TextIO) -> None:
-    """Drop what a stream has buffered; the interpreter would fail to write it once more at its end."""
+    """Drop what a stream has buffered and what it gets from now on."""
     null = os.open(os.devnull, os.O_WRONLY)
     os.dup2(null, stream.fileno())
     os.close(null)

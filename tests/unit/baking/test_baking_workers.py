@@ -64,6 +64,15 @@ def test_workers_import_skinshade_from_the_current_folder_if_the_parent_did(tmp_
     assert len(library_content(tmp_path / "out")) == 2 * len(jobs)
 
 
+def test_the_search_path_of_workers_lacks_the_current_folder(tmp_path, monkeypatch):
+    (tmp_path / "work").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / "work")
+    monkeypatch.chdir(tmp_path / "work")
+    folders = ["", ".", str(tmp_path / "work"), str(tmp_path / "link"), "missing", str(tmp_path)]
+    monkeypatch.setattr(sys, "path", folders)
+    assert workers._search_path() == ["missing", str(tmp_path)]
+
+
 # -- failures --------------------------------------------------------------------------------------
 
 
@@ -109,7 +118,8 @@ def test_an_error_of_python_is_a_failed_result(jobs, count):
 
 
 @pytest.mark.slow
-def test_what_a_job_prints_goes_to_the_standard_error(jobs, capfd):
+def test_what_a_job_prints_goes_to_the_standard_error(jobs, capfd, monkeypatch):
+    monkeypatch.delenv("PYTHONUNBUFFERED", raising=False)
     results = bake_library(jobs, workers=2, work=print_and_run)
     assert set(statuses(results).values()) == {"baked"}
     out, err = capfd.readouterr()

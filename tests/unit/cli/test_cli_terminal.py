@@ -12,9 +12,12 @@ import pytest
 import trimesh
 from cli_runs import run_all
 
-from processes import SOURCE, Started
+from processes import Started, program_environment
 from skinshade.cli.terminal import echo, printable
 
+LINUX = pytest.mark.skipif(
+    sys.platform != "linux", reason="the names, terminals and shell are those of Linux"
+)
 TEXTS = {
     "head.glb": "head.glb",
     "π×µ 頭": "π×µ 頭",
@@ -63,6 +66,7 @@ CONTROLS = {
 }
 
 
+@LINUX
 @pytest.mark.slow
 def test_the_text_from_files_and_words_is_escaped(tmp_path):
     write_ball(tmp_path / "in.glb", "a\x1b[31m\rb")
@@ -74,6 +78,7 @@ def test_the_text_from_files_and_words_is_escaped(tmp_path):
         assert all(line.isprintable() for line in text.split("\n")), name
 
 
+@LINUX
 def test_the_names_of_work_do_not_become_markup_or_control_codes_in_the_bar(tmp_path):
     import pty
 
@@ -113,8 +118,8 @@ def test_characters_that_the_encoding_lacks_are_printed_as_escapes(tmp_path, var
     assert "Traceback" not in err
 
 
+@LINUX
 @pytest.mark.slow
-@pytest.mark.skipif(sys.platform != "linux", reason="other systems allow only names in Unicode")
 def test_files_with_names_in_other_encodings_are_baked(tmp_path):
     for name in ("ä", "b\udcff", "c\x1b[31m\nd"):
         write_ball(tmp_path / "in" / f"{name}.glb")
@@ -136,16 +141,11 @@ def shell(folder: Path, command: str) -> subprocess.CompletedProcess[str]:
             f"set -o pipefail; skinshade() {{ {sys.executable} -m skinshade $*; }}; {command}",
         ],
         cwd=folder,
-        env=os.environ | {"PYTHONPATH": SOURCE},
+        env=program_environment(),
         capture_output=True,
         text=True,
         check=False,
     )
-
-
-LINUX = pytest.mark.skipif(
-    sys.platform != "linux", reason="the shell and its files are those of Linux"
-)
 
 
 @LINUX
@@ -158,11 +158,11 @@ def test_a_pipe_whose_reader_has_ended_is_no_error_message(tmp_path, words):
 
 @LINUX
 def test_a_full_disk_is_an_error(tmp_path):
-    outcome = shell(tmp_path, "skinshade profile > /dev/full")
-    assert outcome.returncode == 2
-    assert outcome.stderr == (
-        "skinshade: error: standard output: cannot be written (No space left on device)\n"
-    )
+    reason = "No space left on device"
+    for words, code in (("profile", 2), ("--help", 1)):
+        outcome = shell(tmp_path, f"skinshade {words} > /dev/full")
+        assert outcome.returncode == code
+        assert re.fullmatch(rf"skinshade: error: .*{reason}.*\n", outcome.stderr)
 
 
 @LINUX
@@ -190,7 +190,7 @@ assert file.fileno() > 2
 print("printed to nowhere")
 """
     command = [sys.executable, "-c", script]
-    done = subprocess.run(command, env=os.environ | {"PYTHONPATH": SOURCE}, check=False)
+    done = subprocess.run(command, env=program_environment(), check=False)
     assert done.returncode == 0
 
 
@@ -222,6 +222,7 @@ def test_a_run_into_a_pipe_prints_a_line_for_every_model_and_errors_once(library
         assert summary == "skinshade: error: 1 of 3 models failed"
 
 
+@LINUX
 @pytest.mark.slow
 def test_the_line_of_a_model_is_flushed_before_the_next_model_is_baked(library):
     write_ball(library / "in" / "z.glb")
@@ -236,6 +237,7 @@ def test_the_line_of_a_model_is_flushed_before_the_next_model_is_baked(library):
         run.finish()
 
 
+@LINUX
 @pytest.mark.slow
 def test_a_terminal_shows_a_bar_and_only_the_errors_as_lines(library):
     import pty
@@ -245,7 +247,7 @@ def test_a_terminal_shows_a_bar_and_only_the_errors_as_lines(library):
     process = subprocess.Popen(
         [sys.executable, *words],
         cwd=library,
-        env=os.environ | {"PYTHONPATH": SOURCE, "TERM": "xterm", "COLUMNS": "300"},
+        env=program_environment() | {"TERM": "xterm", "COLUMNS": "300"},
         stdout=end,
         stderr=end,
     )
