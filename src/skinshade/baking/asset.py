@@ -15,6 +15,7 @@ from .._core.progress import Progress, silent
 from .._core.units import GLTF_UNIT_MM
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh import load_mesh
+from ..mesh.axes import checked_up
 from ..mesh.size import warn_of_size
 from .analysis import BakedMesh, analyse
 from .formats import write_mesh
@@ -122,6 +123,7 @@ def _bake(
     progress: Progress,
 ) -> list[BakedMesh]:
     """Add the files of a baked asset to a set, and return its meshes."""
+    up = checked_up(settings.up, file)
     is_gltf = file.suffix.lower() in GLTF_SUFFIXES
     if is_gltf and target.suffix.lower() in GLTF_SUFFIXES:
         gltf = without_bake(read_gltf(file))
@@ -132,7 +134,7 @@ def _bake(
         _add_maps(files, baked.meshes, file, target, settings)
         write_gltf(files, gltf, baked, target, replaceable)
         return baked.meshes
-    mesh = load_mesh(file, unit_mm=settings.unit_mm)
+    mesh = load_mesh(file, unit_mm=settings.unit_mm, up=up)
     result = BakedMesh(file.stem, mesh, analyse(mesh, settings, str(file), progress))
     _add_maps(files, [result], file, target, settings)
     write_mesh(files, target, mesh, result.analysis, settings)

@@ -15,19 +15,12 @@ from .._core.units import GLTF_UNIT_MM
 from .._core.version import __version__
 from ..gltf.write import AccessorWriter, glb_bytes
 from ..mesh import Mesh
-from ..mesh.baked import GLTF_NAMES
+from ..mesh.baked import COLUMNS, GLTF_NAMES, UNIT_COMMENT
 from .analysis import Analysis
 from .gltf import bake_note
 from .settings import BakeSettings
 
 __all__ = ["write_mesh"]
-
-COLUMNS = {
-    "curvature": ("curvature",),
-    "tensor": ("tensor_xx", "tensor_xy", "tensor_xz", "tensor_yy", "tensor_yz", "tensor_zz"),
-    "thickness": ("thickness",),
-}
-"""Vertex properties of PLY and primvars of USD, by the name of the attribute."""
 
 
 def write_mesh(
@@ -69,7 +62,8 @@ def _ply(mesh: Mesh, analysis: Analysis, settings: BakeSettings) -> bytes:
         "ply",
         "format binary_little_endian 1.0",
         f"comment skinshade {__version__}, one unit is {mesh.unit_mm!r} mm",
-        "comment curvature and tensor in 1/mm, thickness in mm",
+        "comment curvature and tensor in 1/mm, thickness in mm, y is up",
+        f"comment {UNIT_COMMENT} {float(mesh.unit_mm)!r}",  # as `load_mesh` reads it
         f"element vertex {len(vertices)}",
         *(f"property float {name}" for name in columns),
         f"element face {len(faces)}",

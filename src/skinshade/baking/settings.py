@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from .._core.choice import Choice
 from .._core.errors import ArgumentError
 from .._core.units import checked_unit_mm
+from ..mesh.axes import UpAxis
 from ..mesh.rays import RayTracing
 from ..profile import Profile
 
@@ -36,7 +37,10 @@ class BakeSettings:
     Attributes
     ----------
     unit_mm
-        Length of one unit of the files, mm. None means metres for glTF; other formats need a unit.
+        Length of one unit of the files, mm. None means metres for glTF, and what a comment of an OBJ or
+        PLY file states; other files need a unit.
+    up
+        Up axis of OBJ, PLY and STL files: ``y``, or ``z``, which is turned to y in the output.
     tensor, thickness
         Also bake the shape operator and the thickness; the mean curvature is always baked.
     profile
@@ -54,6 +58,7 @@ class BakeSettings:
     """
 
     unit_mm: float | None = None
+    up: UpAxis = UpAxis.Y
     tensor: bool = False
     thickness: bool = False
     profile: str = "skin-deon2007"
@@ -72,6 +77,7 @@ class BakeSettings:
             raise ArgumentError(f"rays is {self.rays}; it must be 1..4096")
         if self.map_size and not 4 <= self.map_size <= 16384:
             raise ArgumentError(f"map_size is {self.map_size}; it must be 0 or 4..16384 texels")
+        object.__setattr__(self, "up", UpAxis.of(self.up, "up"))
         object.__setattr__(self, "map_format", MapFormat.of(self.map_format, "map_format"))
         object.__setattr__(self, "tracing", RayTracing.of(self.tracing, "tracing"))
         Profile.preset(self.profile)

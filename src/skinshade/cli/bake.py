@@ -18,6 +18,7 @@ from ..baking.jobs import JobResult, plan_jobs, status_counts
 from ..baking.library import bake_library
 from ..baking.report import write_page, write_report
 from ..baking.settings import MapFormat, OutputFormat
+from ..mesh.axes import UpAxis
 from ..mesh.rays import RayTracing
 from ..mesh.readers import SUFFIXES
 from .options import expand_options
@@ -40,6 +41,9 @@ class AnalysisOptions:
             help="Unit of the models: a length in mm, or mm, cm, m, in or ft. glTF is in metres."
         ),
     ] = None
+    up: Annotated[
+        UpAxis, typer.Option(help="Up axis of OBJ, PLY and STL models; the output has y up.")
+    ] = UpAxis.Y
     tensor: Annotated[
         bool, typer.Option("--tensor", help="Also bake the shape operator, for the tensor tier.")
     ] = False
@@ -73,6 +77,7 @@ class AnalysisOptions:
         """
         return BakeSettings(
             unit_mm=None if self.unit_mm is None else parse_unit_mm(self.unit_mm),
+            up=self.up,
             tensor=self.tensor,
             thickness=self.thickness,
             profile=self.profile,

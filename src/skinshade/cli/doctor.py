@@ -15,7 +15,7 @@ __all__ = ["doctor_command"]
 def doctor_command() -> None:
     """Print versions, cores and backends."""
     echo(f"skinshade {__version__}, Python {platform.python_version()}, {platform.platform()}")
-    for package in ("numpy", "scipy", "trimesh", "OpenImageIO"):
+    for package in ("numpy", "scipy", "OpenImageIO"):
         echo(f"{package} {version(package)}")
     echo(f"backend cpu: {os.cpu_count()} cores")
     for line in _gpus():

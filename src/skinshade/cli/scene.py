@@ -13,6 +13,7 @@ from .._core.errors import ArgumentError
 from .._core.units import parse_unit_mm
 from ..heads import builtin_head, head_scene, load_head
 from ..heads.portrait import DEFAULT_LIGHT, portrait_camera
+from ..mesh.axes import UpAxis
 from ..params import SkinParams
 from ..params.choices import ToneCurve
 from ..params.fields import meaning
@@ -47,6 +48,7 @@ class ModelOptions:
         str | None,
         typer.Option(help="Unit of the model: a length in mm, or mm, cm, m, in or ft."),
     ] = None
+    up: Annotated[UpAxis, typer.Option(help="Up axis of an OBJ, PLY or STL model.")] = UpAxis.Y
     albedo: Annotated[Path | None, typer.Option(help="Colour map.")] = None
     normal_map: Annotated[Path | None, typer.Option(help="Tangent-space normal map, +y up.")] = None
     flip_v: Annotated[bool, typer.Option("--flip-v", help="The model's v increases upwards.")] = (
@@ -77,6 +79,7 @@ class ModelOptions:
             return
         options = {
             "--unit-mm": self.unit_mm is not None,
+            "--up": self.up != UpAxis.Y,
             "--albedo": self.albedo is not None,
             "--normal-map": self.normal_map is not None,
             "--flip-v": self.flip_v,
@@ -186,6 +189,7 @@ def _portrait(model: ModelOptions, light: LightOptions) -> Scene:
         head = load_head(
             model.model,
             unit_mm=None if model.unit_mm is None else parse_unit_mm(model.unit_mm),
+            up=model.up,
             albedo=model.albedo,
             normal_map=model.normal_map,
             flip_v=model.flip_v,

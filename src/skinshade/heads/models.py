@@ -22,6 +22,7 @@ def load_head(
     path: str | os.PathLike[str],
     *,
     unit_mm: float | None = None,
+    up: str = "y",
     albedo: str | os.PathLike[str] | None = None,
     normal_map: str | os.PathLike[str] | None = None,
     flip_v: bool = False,
@@ -34,8 +35,8 @@ def load_head(
 
     Parameters
     ----------
-    path, unit_mm
-        File and unit of the mesh, as in `skinshade.load_mesh`.
+    path, unit_mm, up
+        File, unit and up axis of the mesh, as in `skinshade.load_mesh`.
     albedo, normal_map
         Images for the mesh's UVs: colours (sRGB, or linear HDR), and tangent-space normals (+y up).
     flip_v
@@ -61,7 +62,7 @@ def load_head(
     >>> sk.load_head(files("skinshade") / "heads/assets/head.glb").material
     Material('skin-deon2007', albedo 1×1)
     """
-    mesh = load_mesh(path, unit_mm=unit_mm)
+    mesh = load_mesh(path, unit_mm=unit_mm, up=up)
     if mesh.uvs is None and (albedo or normal_map or flip_v):
         raise ArgumentError(f"{path}: the mesh has no UVs, which maps need")
     material, parts = Material(), list[Part]()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._core.arrays import FloatArray
+from .._core.errors import MeshError
 from ..profile import Profile
 from .diffusion import diffuse_on_mesh
 from .model import Mesh
@@ -36,6 +37,11 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
         (V, 6) shape operator in world axes, xx xy xz yy yz zz, 1/mm; ``diffused_normals`` (V, 9) normals
         diffused by the profile, a row for each channel; ``diffused_curvature`` (V, 3), 1/mm.
 
+    Raises
+    ------
+    MeshError
+        If the mesh has an attribute ``curvature`` that is not (V,), or ``tensor`` that is not (V, 6).
+
     Examples
     --------
     >>> import skinshade as sk
@@ -45,7 +51,7 @@ def vertex_attributes(mesh: Mesh, profile: Profile) -> dict[str, FloatArray]:
     (20560, 6)
     """
     points = mesh.positions_mm
-    tensor, curvature = mesh.attributes.get("tensor"), mesh.attributes.get("curvature")
+    tensor, curvature = _stored(mesh, "tensor", (6,)), _stored(mesh, "curvature", ())
     if tensor is None or curvature is None:
         operator = ShapeOperator.fit(points, mesh.faces, mesh.normals)
         if tensor is None:
@@ -75,3 +81,12 @@ def plain_attributes(mesh: Mesh) -> dict[str, FloatArray]:
         uv = mesh.uvs
         tangent = vertex_tangents(points, mesh.normals, mesh.uvs, mesh.faces)
     return {"position": points, "normal": mesh.normals, "tangent": tangent, "uv": uv}
+
+
+def _stored(mesh: Mesh, name: str, shape: tuple[int, ...]) -> FloatArray | None:
+    """Return an attribute of the mesh after a check of its shape for one vertex, or None."""
+    values = mesh.attributes.get(name)
+    if values is not None and values.shape[1:] != shape:
+        expected = ", ".join(map(str, ("V", *shape)))
+        raise MeshError(f"mesh: attribute {name} has shape {values.shape}; it must be ({expected})")
+    return values

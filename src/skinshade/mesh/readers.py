@@ -1,13 +1,11 @@
-"""Meshes from files: glTF through the document model, OBJ, PLY and STL through trimesh."""
+"""Meshes from files of every format: dispatch, units, up axis and baked attributes."""
 
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -17,47 +15,65 @@ from .._core.files import existing_file
 from .._core.units import GLTF_UNIT_MM, checked_unit_mm
 from ..gltf import GLTF_SUFFIXES, TriangleSet, read_gltf, read_scene
 from ..gltf.primitives import joined
-from .baked import GLTF_NAMES, baked_attributes, baked_unit_mm
+from .axes import UpAxis, checked_up, turned_to_y_up
+from .baked import (
+    GLTF_NAMES,
+    baked_attributes,
+    baked_unit_mm,
+    commented_unit_mm,
+    gathered_columns,
+)
 from .model import Mesh
+from .obj import read_obj
+from .ply import read_ply
 from .size import UnitSource, warn_of_size
+from .stl import read_stl
 
 __all__ = ["SUFFIXES", "load_mesh"]
 
-SUFFIXES = (*GLTF_SUFFIXES, ".obj", ".ply", ".stl")
+READERS = {".obj": read_obj, ".ply": read_ply, ".stl": read_stl}
+SUFFIXES = (*GLTF_SUFFIXES, *READERS)
 SAME_UNIT = 1e-4
 """Relative difference of units that count as equal: node scales are single precision."""
 
 
 @dataclass(frozen=True)
 class _Part:
-    """Triangles of a part of the file, and the unit that a bake noted for it, mm."""
+    """Triangles of a part of the file, and the length of its unit that the file states, mm."""
 
     triangles: TriangleSet
-    baked_unit_mm: float | None
+    stated_unit_mm: float | None
 
 
-def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> Mesh:
-    """Read a mesh: all parts of the file as one, placed as the file's scene places them.
+def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None, up: str = "y") -> Mesh:
+    """Read a mesh: all parts of the file as one, placed as the file's scene places them, with y up.
 
     Parameters
     ----------
     path
         ``.glb``, ``.gltf``, ``.obj``, ``.ply`` or ``.stl``.
     unit_mm
-        Length of one unit of the file, mm. It can be left out for glTF, whose unit is the metre, and
-        for files of `skinshade bake`, which state theirs.
+        Length of one unit of the file, mm. It can be left out for glTF, whose unit is the metre, for
+        files of `skinshade bake`, and for OBJ and PLY files with a comment such as ``unit_mm 10.0`` (in
+        OBJ, before the first statement).
+    up
+        Up axis of an OBJ, PLY or STL file, ``y`` or ``z``. Files with z up are turned: (x, y, z) becomes
+        (x, z, −y). glTF prescribes y.
 
     Returns
     -------
     Mesh
-        UVs have v down, as in glTF, whatever the file's convention. Its attributes are the file's custom
-        ones, and ``curvature``, ``tensor`` and ``thickness`` if the file was baked for this unit.
+        UVs have v down, as in glTF, whatever the file's convention. Its attributes are the custom ones of
+        glTF, the numbers of the vertices of PLY by their names, ``color`` for the colours of OBJ and PLY
+        as the file stores them, and ``curvature``, ``tensor`` and ``thickness`` if the file was baked for
+        this unit. Attributes of OBJ and PLY that are not finite are left out, as are UVs that a corner
+        lacks; normals that a corner lacks are computed.
 
     Raises
     ------
-    MeshFileError, MeshError, UnitError
+    MeshFileError, MeshError, UnitError, ArgumentError
         If the file is missing, corrupt or of another kind, holds no usable triangle, or its unit is
-        unknown.
+        unknown; if a position is not finite or an index is out of range; if `up` does not apply.
 
     Warns
     -----
@@ -79,17 +95,14 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
         raise MeshFileError(
             f"{file}: {suffix or 'no suffix'}; a mesh is one of {' '.join(SUFFIXES)}"
         )
-    is_gltf = suffix in GLTF_SUFFIXES
-    if unit_mm is None and not is_gltf:
-        raise UnitError(
-            f"{file}: {suffix} files do not state their unit; give unit_mm (1 mm, 10 cm, 1000 m)"
-        )
-    parts, notes = _gltf_parts(file) if is_gltf else (_trimesh_parts(file), {})
-    triangles = joined([part.triangles for part in parts])
-    baked = _common_unit([part.baked_unit_mm for part in parts])
+    axis = checked_up(up, file)
     given = None if unit_mm is None else checked_unit_mm(unit_mm, str(file))
-    unit = given or baked or GLTF_UNIT_MM
-    if baked is None or abs(unit / baked - 1.0) > SAME_UNIT:
+    is_gltf = suffix in GLTF_SUFFIXES
+    parts, notes = _gltf_parts(file) if is_gltf else ([_part(file, axis, given)], {})
+    triangles = joined([part.triangles for part in parts])
+    stated = _common_unit([part.stated_unit_mm for part in parts])
+    unit = given or stated or GLTF_UNIT_MM
+    if stated is None or abs(unit / stated - 1.0) > SAME_UNIT:
         # Values that were baked for another unit, or for none that is known, do not hold.
         kept = {k: v for k, v in triangles.attributes.items() if k not in GLTF_NAMES}
         triangles = replace(triangles, attributes=kept)
@@ -107,7 +120,7 @@ def load_mesh(path: str | os.PathLike[str], *, unit_mm: float | None = None) -> 
     except SkinshadeError as error:
         raise type(error)(str(error)) from None
     mesh = replace(mesh, repairs={**notes, **mesh.repairs})
-    source: UnitSource = "given" if given else "baked" if baked else "format"
+    source: UnitSource = "given" if given else "baked" if stated else "format"
     warn_of_size(np.ptp(mesh.positions_mm, axis=0), file, unit, source)
     return mesh
 
@@ -118,7 +131,7 @@ def _narrow(values: FloatArray) -> FloatArray:
 
 
 def _common_unit(units: Sequence[float | None]) -> float | None:
-    """Return the unit that a bake noted for every part, or None if they differ or one is missing."""
+    """Return the unit that the file states for every part, or None if they differ or one is missing."""
     known = [unit for unit in units if unit is not None]
     if len(known) < len(units) or max(known) > min(known) * (1.0 + SAME_UNIT):
         return None
@@ -142,79 +155,19 @@ def _gltf_parts(file: Path) -> tuple[list[_Part], dict[str, int]]:
     return parts, notes
 
 
-def _trimesh_parts(file: Path) -> list[_Part]:
-    import trimesh
+def _part(file: Path, up: UpAxis, unit_mm: float | None) -> _Part:
+    """Return the triangles of an OBJ, PLY or STL file with y up, and the unit that a comment states.
 
-    is_obj = file.suffix.lower() == ".obj"
-    options: dict[str, Any] = {"process": False}
-    if is_obj:
-        options["skip_materials"] = True
-        _refuse_index_zero(file)
+    A comment that states no valid unit is an error if no unit is given; otherwise it is ignored.
+    """
+    triangles, comments = READERS[file.suffix.lower()](file)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # trimesh's arithmetic on files without materials
-            scene = trimesh.load_scene(file, **options)
-        sets = [
-            _trimesh_triangles(scene.geometry[name], np.asarray(matrix, dtype=np.float64))
-            for matrix, name in (scene.graph[node] for node in scene.graph.nodes_geometry)
-            if isinstance(scene.geometry[name], trimesh.Trimesh)
-        ]
-    except Exception as error:  # trimesh raises many types
-        raise MeshFileError(f"{file}: cannot be read as {file.suffix}: {error!r:.300}") from None
-    if not sets:
-        raise MeshFileError(f"{file}: holds no triangles")
-    return [_Part(_merged(triangles) if is_obj else triangles, None) for triangles in sets]
-
-
-def _refuse_index_zero(file: Path) -> None:
-    """Raise if a face has vertex index 0: OBJ counts from 1, and readers take 0 for the last vertex."""
-    with file.open("rb") as lines:
-        for number, line in enumerate(lines, 1):
-            if line.startswith(b"f ") and any(
-                corner.split(b"/")[0] == b"0" for corner in line.split()[1:]
-            ):
-                raise MeshFileError(f"{file}: line {number} has vertex index 0; OBJ counts from 1")
-
-
-def _trimesh_triangles(geometry: Any, matrix: FloatArray) -> TriangleSet:
-    linear = matrix[:3, :3]
-    positions = np.asarray(geometry.vertices, dtype=np.float64)
-    faces = np.asarray(geometry.faces, dtype=np.int64)
-    # trimesh computes normals on request; its cache holds only those of the file.
-    stored = geometry._cache.cache.get("vertex_normals")
-    normals = None if stored is None else np.asarray(stored, dtype=np.float64)
-    if not np.array_equal(matrix, np.eye(4)):
-        positions = positions @ linear.T + matrix[:3, 3]
-        if normals is not None:
-            normals = normals @ np.linalg.inv(linear)
-        if np.linalg.det(linear) < 0.0:
-            faces = faces[:, ::-1]
-    uv = getattr(geometry.visual, "uv", None)
-    uvs = None if uv is None else np.asarray(uv, dtype=np.float64)[:, :2] * (1.0, -1.0) + (0.0, 1.0)
-    columns = {key: np.asarray(value) for key, value in geometry.vertex_attributes.items()}
-    attributes = {
-        key: value.astype(np.float64).reshape(len(value), -1)
-        for key, value in columns.items()
-        if value.dtype.kind in "fiu" and value.ndim in (1, 2)
-    }
-    return TriangleSet(positions, faces, normals, uvs, attributes)
-
-
-def _merged(triangles: TriangleSet) -> TriangleSet:
-    """Merge vertices of equal position, UV and normal: OBJ has one for every corner of a face."""
-    arrays = (triangles.positions, triangles.uvs, triangles.normals)
-    columns = [array for array in arrays if array is not None]
-    _, first, group = np.unique(
-        np.concatenate(columns, axis=1), axis=0, return_index=True, return_inverse=True
-    )
-    order = np.argsort(first)  # in the order of the file
-    rank = np.empty_like(order)
-    rank[order] = np.arange(order.size)
-    kept = first[order]
-    return TriangleSet(
-        triangles.positions[kept],
-        rank[group.ravel()][triangles.faces],
-        None if triangles.normals is None else triangles.normals[kept],
-        None if triangles.uvs is None else triangles.uvs[kept],
-        {name: value[kept] for name, value in triangles.attributes.items()},
-    )
+        stated = commented_unit_mm(comments, str(file))
+    except UnitError:
+        if unit_mm is None:
+            raise
+        stated = None
+    if unit_mm is None and stated is None:
+        raise UnitError(f"{file}: states no unit; give unit_mm (1 mm, 10 cm, 1000 m)")
+    triangles = replace(triangles, attributes=gathered_columns(triangles.attributes))
+    return _Part(turned_to_y_up(triangles) if up == UpAxis.Z else triangles, stated)

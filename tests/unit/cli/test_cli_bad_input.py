@@ -110,7 +110,7 @@ MESHES = {
     "GLB of noise": mesh_case("noise.glb", errors.MeshFileError, "cannot be read"),
     "NaN position": mesh_case("nan.obj", errors.ArgumentError, "positions[7, 1]", "nan"),
     "infinite position": mesh_case("infinite.obj", errors.ArgumentError, "positions[7, 2]", "inf"),
-    "index out of range": mesh_case("beyond.obj", errors.MeshFileError, "out of bounds"),
+    "index out of range": mesh_case("beyond.obj", errors.MeshFileError, "99999", "there are"),
     "index 0": mesh_case("zeroth.obj", errors.MeshFileError, "vertex index 0"),
     "no faces": mesh_case("faceless.obj", errors.MeshFileError, "no triangles"),
     "empty file": mesh_case("empty.obj", errors.MeshFileError, "empty"),
@@ -306,6 +306,17 @@ TABLES = {
     ),
     "bake of a missing model": Case(
         ("bake", "{in}/none.glb", "-o", "kept.glb"), ("none.glb",), errors.MeshFileError
+    ),
+    "bake of glTF with z up": Case(
+        ("bake", "{in}/ball.glb", "--up", "z", "-o", "kept.glb"),
+        ("ball.glb", "up is 'z'", "glTF prescribes y"),
+        call=lambda at: sk.load_mesh(at / "ball.glb", up="z"),
+    ),
+    "unknown up axis": Case(
+        ("render", "{in}/ball.obj", "--up", "x", "-o", "kept.png"), ("--up", "x")
+    ),
+    "up axis of the built-in head": Case(
+        ("render", "--up", "z", "-o", "kept.png"), ("--up needs a model", "the built-in head")
     ),
     "bake with no rays": Case(
         ("bake", "{in}/ball.glb", "-o", "kept.glb", "--rays", "0"),

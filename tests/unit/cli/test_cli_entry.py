@@ -99,7 +99,7 @@ def test_the_list_of_commands_appears_without_numpy():
         (["--version"], [f"skinshade {skinshade.__version__}"]),
         (["profile"], presets()),
         (["assets", "list"], [*SCANS, SCANS["lee-perry-smith"].credit]),
-        (["doctor"], ["numpy", "trimesh", "backend cpu", "backend gpu"]),
+        (["doctor"], ["numpy", "OpenImageIO", "backend cpu", "backend gpu"]),
     ],
     ids=lambda value: "-".join(value).strip("-") if isinstance(value, list) else None,
 )

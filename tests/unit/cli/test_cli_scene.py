@@ -11,6 +11,7 @@ from skinshade._core.errors import SceneFileError
 from skinshade.cli.scene import LightOptions, MaterialOptions, ModelOptions, build_scene
 from skinshade.heads import head_scene, load_head
 from skinshade.heads.portrait import portrait_camera
+from skinshade.mesh.axes import UpAxis
 from skinshade.params.gloss import gloss_from_roughness
 from skinshade.scene import DirectionalLight, load_scene
 
@@ -65,6 +66,12 @@ def test_maps_and_flip_v_are_those_of_load_head(inputs):
     truth = load_head(inputs / "ball.obj", unit_mm=1.0, **options)
     assert np.array_equal(scene.material.albedo, truth.material.albedo)
     assert np.array_equal(scene.mesh.uvs, truth.mesh.uvs)
+
+
+def test_a_model_with_z_up_is_turned(inputs):
+    scene = built(ModelOptions(model=inputs / "ball.obj", unit_mm="1", up=UpAxis.Z))
+    x, y, z = load_head(inputs / "ball.obj", unit_mm=1.0).mesh.positions.T
+    assert np.array_equal(scene.mesh.positions, np.stack([x, z, -y], axis=1))
 
 
 @pytest.mark.parametrize("suffix", [".json", ".JSON"])

@@ -121,7 +121,7 @@ end_header
 
 BROKEN = {
     "points only": (".obj", OBJ, MeshFileError, "no triangles"),
-    "an index too high": (".obj", OBJ + "f 1 2 9\n", MeshFileError, "8"),
+    "an index too high": (".obj", OBJ + "f 1 2 9\n", MeshFileError, "corner '9'; there are 3 "),
     "nan in a position": (
         ".obj",
         OBJ.replace("1 0 0", "1 nan 0") + "f 1 2 3\n",

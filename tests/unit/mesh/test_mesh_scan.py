@@ -120,5 +120,5 @@ def test_the_scan_in_metres_is_implausibly_large_and_warns(data_dir):
 
 
 def test_the_obj_of_the_scan_needs_unit_mm(data_dir):
-    with pytest.raises(UnitError, match="do not state their unit"):
+    with pytest.raises(UnitError, match="states no unit; give unit_mm"):
         load_mesh(data_dir / "lps" / "head.obj")
