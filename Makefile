@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 OUT := out
 
-.PHONY: demo test test-lowest check bench shaders wheel clean
+.PHONY: demo test test-lowest check bench shaders native sanitize wheel wheels clean
 
 demo: $(VENV)/.ready
 	@mkdir -p $(OUT)
@@ -27,6 +27,7 @@ check: $(VENV)/.tools
 
 bench: $(VENV)/.tools
 	$(BIN)/python benchmarks/performance.py
+	$(BIN)/python benchmarks/mesh_analysis.py
 	$(BIN)/python benchmarks/bake_scale.py
 	$(BIN)/python benchmarks/gpu_cost.py
 	$(BIN)/python benchmarks/gpu_instructions.py
@@ -34,6 +35,18 @@ bench: $(VENV)/.tools
 # Generated files of src/skinshade/shading/generated and docs; a test proves that they are current.
 shaders: $(VENV)/.tools
 	$(BIN)/python -m codegen
+
+# The compiled kernels, next to their sources.
+native: $(VENV)/.ready
+	$(BIN)/python tools/native_library.py
+
+# The tests of the compiled kernels with checks of addresses and undefined behaviour.
+sanitize: $(VENV)/.ready
+	$(BIN)/python tools/sanitize.py
+
+# Wheels with compiled kernels for all systems; runs that of this system.
+wheels: $(VENV)/.ready
+	$(BIN)/python tools/wheels.py
 
 wheel: $(VENV)/.ready
 	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir dist .

@@ -100,6 +100,15 @@ TUBE_TENSOR = Tolerance(
     0.01,
     "a tube of 96 sides: four passes average tensors turned by up to 15°; .0079 measured",
 )
+NATIVE_NORMALS = Tolerance(
+    1e-11, "compiled against NumPy; the quadric's matrix has a condition of up to 1e5"
+)
+NATIVE_CURVATURE = Tolerance(
+    1e-11, "compiled against NumPy on surfaces; sums in another order; relative to the greatest"
+)
+NATIVE_ANY_MESH = Tolerance(
+    1e-6, "as NATIVE_CURVATURE on any faces: the fit of parallel edges has a condition of 1e9"
+)
 SPHERE_CURVATURE = Tolerance(1e-6, "the fit is exact on a sphere except for its ridge; relative")
 ROTATION = Tolerance(1e-7, "a rotation changes the rounding, which the fit amplifies; relative")
 EDGES_2014 = Tolerance(0.02, "difference to the 18 % RMS that MODEL states for the method of 2014")

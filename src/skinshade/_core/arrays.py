@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import native
 from .errors import ArgumentError
 
 __all__ = [
@@ -29,6 +31,9 @@ __all__ = [
 
 LARGEST_POSITION = 1e15
 """Greatest coordinate: greater ones are implausible in any unit, and their fourth powers overflow."""
+
+LARGE = 1 << 15
+"""Elements from which a compiled check is faster than several passes of NumPy."""
 
 FloatArray = NDArray[np.float64]
 """Floats of any shape."""
@@ -53,6 +58,7 @@ def as_floats(
     *,
     low: float = -np.inf,
     high: float = np.inf,
+    copy: bool = True,
 ) -> FloatArray:
     """Return an argument as finite float64 array, after checks.
 
@@ -66,6 +72,8 @@ def as_floats(
         Required length of each axis, ``None`` for any length; ``None`` for any shape.
     low, high
         Closed range of the elements.
+    copy
+        Return a new array in any case. Without it, an array of float64 is returned itself.
 
     Raises
     ------
@@ -76,7 +84,7 @@ def as_floats(
         raw = np.asarray(value)
         if raw.dtype.kind == "c":
             raise TypeError("complex numbers")
-        array = raw.astype(np.float64)
+        array = raw.astype(np.float64, copy=copy)
     except (TypeError, ValueError, OverflowError) as error:
         raise ArgumentError(f"{name}: not an array of numbers ({error})") from None
     if shape is not None:
@@ -87,6 +95,8 @@ def as_floats(
         if not fits:
             text = ", ".join("any" if length is None else str(length) for length in shape)
             raise ArgumentError(f"{name}: shape is {array.shape}; it must be ({text})")
+    if _large_and_inside(array, low, high):
+        return array
     bad = ~np.isfinite(array)
     if bad.any():
         raise ArgumentError(f"{name}{_first(array, bad)}; it must be finite")
@@ -96,7 +106,7 @@ def as_floats(
     return array
 
 
-def as_positions(name: str, value: ArrayLike) -> FloatArray:
+def as_positions(name: str, value: ArrayLike, *, copy: bool = True) -> FloatArray:
     """Return `value` as (V, 3) positions whose squares and products do not overflow float64.
 
     Raises
@@ -104,7 +114,9 @@ def as_positions(name: str, value: ArrayLike) -> FloatArray:
     ArgumentError
         As `as_floats`, with the range ±`LARGEST_POSITION`.
     """
-    return as_floats(name, value, (None, 3), low=-LARGEST_POSITION, high=LARGEST_POSITION)
+    return as_floats(
+        name, value, (None, 3), low=-LARGEST_POSITION, high=LARGEST_POSITION, copy=copy
+    )
 
 
 def as_rgb(
@@ -135,10 +147,27 @@ def as_faces(name: str, value: ArrayLike, vertex_count: int) -> IntArray:
         raise ArgumentError(f"{name}: shape is {array.shape}; it must be (any, 3)")
     if array.dtype.kind not in "iu":
         raise ArgumentError(f"{name}: type is {array.dtype}; it must be an integer type")
-    bad = (array < 0) | (array >= vertex_count)
-    if bad.any():
-        raise ArgumentError(f"{name}{_first(array, bad)}; there are {vertex_count} vertices")
+    if not _large_and_inside(array, 0, vertex_count - 1):
+        bad = (array < 0) | (array >= vertex_count)
+        if bad.any():
+            raise ArgumentError(f"{name}{_first(array, bad)}; there are {vertex_count} vertices")
     return array.astype(np.int64, copy=False)
+
+
+def _large_and_inside(array: NDArray[Any], low: float, high: float) -> bool:
+    """Return whether a large array is finite and in [low, high], by a compiled check in one pass.
+
+    Small arrays, types without a kernel and arrays with a fault give False; NumPy checks them.
+    """
+    if array.size < LARGE or not array.flags.c_contiguous or not native.available():
+        return False
+    if array.dtype in native.FLOAT_KINDS:
+        faults = native.run("first_outside", native.blocks(array.size), array, low, high)
+    elif array.dtype in native.INDEX_KINDS:
+        faults = native.run("first_bad_index", native.blocks(array.size), array, high + 1)
+    else:
+        return False
+    return max(faults) < 0
 
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:

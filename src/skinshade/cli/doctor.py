@@ -6,6 +6,7 @@ import os
 import platform
 from importlib.metadata import version
 
+from .._core import native
 from .._core.version import __version__
 from .terminal import echo
 
@@ -18,8 +19,15 @@ def doctor_command() -> None:
     for package in ("numpy", "scipy", "OpenImageIO"):
         echo(f"{package} {version(package)}")
     echo(f"backend cpu: {os.cpu_count()} cores")
+    echo(f"mesh analysis: {_kernels()}")
     for line in _gpus():
         echo(f"backend gpu: {line}")
+
+
+def _kernels() -> str:
+    """Return whether mesh analysis uses compiled kernels, and why."""
+    used = "compiled kernels" if native.available() else "NumPy"
+    return f"{used} ({native.reason()})"
 
 
 def _gpus() -> list[str]:

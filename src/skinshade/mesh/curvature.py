@@ -9,7 +9,13 @@ from numpy.typing import ArrayLike
 
 from .._core.arrays import FloatArray, FloatRows, FloatVector, IntArray, dot
 from .._core.errors import ArgumentError
-from .shape_operator import ShapeOperator, checked_mesh, checked_smoothing
+from .shape_operator import (
+    ShapeOperator,
+    checked_mesh,
+    checked_smoothing,
+    fitted_mean_curvature,
+    unit_normals,
+)
 from .tensors import tensor_to_world
 from .topology import half_edges
 
@@ -65,10 +71,11 @@ def mesh_curvature(
     """
     checked_smoothing(smoothing)
     if method == "edges":
-        return _edge_curvature(*checked_mesh(positions, faces, normals), smoothing)
+        p, f, n = checked_mesh(positions, faces, normals)
+        return _edge_curvature(p, f, unit_normals(p, f, n), smoothing)
     if method != "shape-operator":
         raise ArgumentError(f"method is {method!r}; it must be shape-operator or edges")
-    return ShapeOperator.fit(positions, faces, normals).mean(smoothing)
+    return fitted_mean_curvature(positions, faces, normals, smoothing)
 
 
 def mesh_curvature_tensor(

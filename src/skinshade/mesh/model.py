@@ -23,7 +23,7 @@ from .._core.errors import MeshError, UnitError
 from .._core.notebook import table_html
 from .normals import vertex_normals
 from .repairs import usable_faces
-from .topology import edge_counts, used_vertices, weld
+from .topology import open_edge_counts, used_vertices, weld
 
 __all__ = ["Mesh"]
 
@@ -150,7 +150,7 @@ class Mesh:
             columns = {key: value[used] for key, value in columns.items()}
             coordinates = None if coordinates is None else coordinates[used]
         given = _complete_normals(given, points, triangles, repairs)
-        repairs |= edge_counts(welded)
+        repairs |= open_edge_counts(points, triangles, welded)
         return cls(
             points,
             given,

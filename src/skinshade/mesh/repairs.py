@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from .._core.arrays import FloatArray, IntArray, dot
 from .._core.errors import MeshError
+from . import compiled
 from .topology import edge_counts, face_areas
 
 __all__ = ["usable_faces"]
@@ -71,6 +72,8 @@ def _perhaps_coincident(welded: IntArray) -> IntArray:
 
 def first_of_equal(triangles: IntArray, vertex_count: int) -> IntArray:
     """Return the increasing indices of the first of every set of faces of equal vertices and winding."""
+    if compiled.serves(triangles):
+        return compiled.first_of_equal(triangles)
     turned = (np.argmin(triangles, axis=1)[:, None] + np.arange(3)) % 3
     first, _ = _distinct(np.take_along_axis(triangles, turned, axis=1), vertex_count)
     return np.sort(first)

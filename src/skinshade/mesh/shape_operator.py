@@ -12,10 +12,8 @@ principal curvature there: `CONDITIONING` times the greatest change of normal pe
 
 from __future__ import annotations
 
-import os
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import partial
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,18 +30,20 @@ from .._core.arrays import (
     unit_vectors,
 )
 from .._core.errors import ArgumentError
-from .normals import tangent_frame, vertex_normals
-from .tensors import SYMMETRIC, apply_symmetric, tensor_to_world
-from .topology import Neighbours, corner_areas, half_edges, used_vertices, weld
+from . import compiled
+from .compiled_fit import CompiledFit, mean_curvature
+from .normals import vertex_normals
+from .numpy_fit import NumpyFit
+from .topology import half_edges
 
-__all__ = ["ShapeOperator", "checked_mesh", "checked_smoothing"]
+__all__ = [
+    "ShapeOperator",
+    "checked_mesh",
+    "checked_smoothing",
+    "fitted_mean_curvature",
+    "unit_normals",
+]
 
-BLOCK = 1 << 13
-"""Vertices or faces in a block, whose data fit in a cache."""
-FIT_RIDGE = 1e-9
-"""Relative ridge, which keeps the fit solvable at a vertex with parallel edges only."""
-LEAST_SQUARE = 8.0 * float(np.finfo(np.float64).tiny)
-"""Least divisor: the square of a change of normal, which is up to 4, divided by it is finite."""
 CONDITIONING = 16.0
 """Greatest principal curvature, relative to the greatest change of normal per length along an edge.
 
@@ -66,35 +66,43 @@ SAMPLED_FACES = 1 << 15
 would take a tenth of the time of the fit."""
 
 
+class Fit(Protocol):
+    """Bounded fit at the points of a surface, without smoothing: vertices at one position are one point."""
+
+    @property
+    def group(self) -> IntArray:
+        """(V,) index of the point at each vertex."""
+
+    @property
+    def points(self) -> FloatArray:
+        """(P, 3) positions of the points."""
+
+    @property
+    def fitted(self) -> FloatArray:
+        """(P, 3) k_uu, k_uv, k_vv in the tangent frames of the points."""
+
+    @property
+    def bounded(self) -> NDArray[np.bool_]:
+        """(P,) whether a bound reduced the fit."""
+
+    def mean(self, passes: int) -> FloatVector:
+        """Return the mean curvature (V,) after smoothing."""
+
+    def tensor(self, passes: int) -> FloatRows:
+        """Return k_uu, k_uv, k_vv (V, 3) in the tangent frames of the vertices, after smoothing."""
+
+
 @dataclass(frozen=True)
 class ShapeOperator:
     """Shape operator at every vertex, from one fit that both mean and tensor use. Create it with `fit`.
 
-    Vertices at one position are one point of the surface.
-
     Attributes
     ----------
-    normals
-        (V, 3) unit normals of the vertices.
-    group
-        (V,) index of the point at each vertex.
-    points, faces
-        (P, 3) positions of the points, and (F, 3) their indices.
-    outward
-        (P, 3) unit normals of the points.
-    fitted
-        (P, 3) k_uu, k_uv, k_vv of the fit in the tangent frame of `outward`, bounded, without smoothing.
-    bounded
-        (P,) whether a bound reduced the fit.
+    twin
+        The fit, compiled or by NumPy.
     """
 
-    normals: FloatArray
-    group: IntArray
-    points: FloatArray
-    faces: IntArray
-    outward: FloatArray
-    fitted: FloatArray
-    bounded: NDArray[np.bool_]
+    twin: Fit
 
     @classmethod
     def fit(
@@ -127,11 +135,29 @@ class ShapeOperator:
         ((20560,), (20560, 3), 0)
         """
         p, f, n = checked_mesh(positions, faces, normals)
-        group, first = weld(p)
-        points, triangles = p[first], group[f]
-        outward = _point_normals(n, f, group, first.size)
-        fitted, bounded = _fit(points, triangles, outward)
-        return cls(n, group, points, triangles, outward, fitted, bounded)
+        if compiled.serves(p, f):
+            return cls(CompiledFit.of(p, f, n, _bounds(p, f)))
+        return cls(NumpyFit.of(p, f, unit_normals(p, f, n), _bounds(p, f)))
+
+    @property
+    def group(self) -> IntArray:
+        """(V,) index of the point at each vertex."""
+        return self.twin.group
+
+    @property
+    def points(self) -> FloatArray:
+        """(P, 3) positions of the points."""
+        return self.twin.points
+
+    @property
+    def fitted(self) -> FloatArray:
+        """(P, 3) k_uu, k_uv, k_vv of the fit in the tangent frames of the points, without smoothing."""
+        return self.twin.fitted
+
+    @property
+    def bounded(self) -> NDArray[np.bool_]:
+        """(P,) whether a bound reduced the fit."""
+        return self.twin.bounded
 
     @property
     def bounded_vertices(self) -> int:
@@ -140,40 +166,49 @@ class ShapeOperator:
 
     def mean(self, smoothing: int = 2) -> FloatVector:
         """Return the mean curvature (V,) after passes of smoothing, 0..100; positive where convex."""
-        mean = 0.5 * (self.fitted[:, 0] + self.fitted[:, 2])
-        return self._smoothed(mean[:, None], smoothing)[:, 0][self.group]
+        return self.twin.mean(checked_smoothing(smoothing))
 
     def tensor(self, smoothing: int = 2) -> FloatRows:
         """Return k_uu, k_uv, k_vv (V, 3) in the tangent frames of the vertices, after smoothing, 0..100."""
-        world = tensor_to_world(self.fitted, self.outward)
-        world = self._smoothed(world, smoothing)[self.group]
-        u, v = tangent_frame(self.normals)
-        su, sv = apply_symmetric(world, u), apply_symmetric(world, v)
-        return np.stack([dot(su, u), dot(su, v), dot(sv, v)], axis=1)
+        return self.twin.tensor(checked_smoothing(smoothing))
 
-    def _smoothed(self, values: FloatArray, passes: int) -> FloatArray:
-        return _smoothed(values, self.points, self.faces, checked_smoothing(passes))
+
+def fitted_mean_curvature(
+    positions: ArrayLike, faces: ArrayLike, normals: ArrayLike | None, smoothing: int
+) -> FloatVector:
+    """Return ``ShapeOperator.fit(positions, faces, normals).mean(smoothing)`` with less memory."""
+    p, f, n = checked_mesh(positions, faces, normals)
+    if compiled.serves(p, f):
+        return mean_curvature(p, f, n, _bounds(p, f), checked_smoothing(smoothing))
+    return NumpyFit.of(p, f, unit_normals(p, f, n), _bounds(p, f)).mean(
+        checked_smoothing(smoothing)
+    )
 
 
 def checked_mesh(
     positions: ArrayLike, faces: ArrayLike, normals: ArrayLike | None
-) -> tuple[FloatArray, IntArray, FloatArray]:
-    """Return positions (V, 3), faces (F, 3) and unit normals (V, 3), computed if None, after checks.
+) -> tuple[FloatArray, IntArray, FloatArray | None]:
+    """Return positions (V, 3), faces (F, 3) and normals (V, 3) or None, after checks.
 
     Raises
     ------
     ArgumentError
         If an array has a wrong shape, a value is not finite or an index out of range.
     """
-    p = as_positions("positions", positions)
+    p = as_positions("positions", positions, copy=False)
     if p.shape[0] == 0:
         raise ArgumentError("positions: there are no vertices")
     f = as_faces("faces", faces, p.shape[0])
     if f.shape[0] == 0:
         raise ArgumentError("faces: there are no faces")
     if normals is None:
-        return p, f, vertex_normals(p, f)
-    return p, f, unit_vectors(as_floats("normals", normals, p.shape))
+        return p, f, None
+    return p, f, as_floats("normals", normals, p.shape, copy=False)
+
+
+def unit_normals(p: FloatArray, f: IntArray, normals: FloatArray | None) -> FloatArray:
+    """Return unit normals (V, 3) of a checked mesh, computed if None."""
+    return vertex_normals(p, f) if normals is None else unit_vectors(normals)
 
 
 def checked_smoothing(passes: int) -> int:
@@ -189,150 +224,23 @@ def checked_smoothing(passes: int) -> int:
     return passes
 
 
-def _point_normals(normals: FloatArray, faces: IntArray, group: IntArray, count: int) -> FloatArray:
-    """Return unit normals (P, 3) of points: the sum over the vertices that faces use."""
-    if count == normals.shape[0]:
-        welded = np.empty_like(normals)
-        welded[group] = normals
-        return welded
-    used = used_vertices(faces, len(normals))
-    if not used.all():
-        normals, group = normals[used], group[used]
-    sums = [np.bincount(group, normals[:, axis], count) for axis in range(3)]
-    return unit_vectors(np.stack(sums, axis=1))
-
-
-def _fit(
-    p: FloatArray, faces: IntArray, normals: FloatArray
-) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Fit S·edge = change of normal in the tangent plane of every point, with weights 1/edge²."""
-    count = p.shape[0]
-    neighbours = Neighbours.of(faces, count)
-    points = [np.ascontiguousarray(axis) for axis in p.T]
-    outward = [np.ascontiguousarray(axis) for axis in normals.T]
-    least_length = RESOLUTION * _median_edge(p, faces)
-    tensor, bounded = np.empty((3, count)), np.empty(count, dtype=bool)
-
-    def fit(first: int) -> None:
-        last = min(first + BLOCK, count)
-        block = neighbours.block(first, last)
-        step = [block.differences(axis) for axis in points]
-        turn = [block.differences(axis) for axis in outward]
-        square = step[0] ** 2 + step[1] ** 2 + step[2] ** 2
-        weight = 1.0 / np.maximum(square, LEAST_SQUARE)
-        fitted = _fit_block(block, step, turn, weight, normals[first:last])
-        if not square.all():
-            weight[square == 0.0] = 0.0
-        limit = _limits(block, turn, weight, least_length)
-        tensor[:, first:last], bounded[first:last] = _bounded(fitted, limit)
-
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        list(pool.map(fit, range(0, count, BLOCK)))
-    return tensor.T, bounded
+def _bounds(p: FloatArray, faces: IntArray) -> FloatVector:
+    """Return the bounds (3,): CONDITIONING, RESOLVED_TURN, and the length as which shorter edges count."""
+    return np.array([CONDITIONING, RESOLVED_TURN, RESOLUTION * _median_edge(p, faces)])
 
 
 def _median_edge(p: FloatArray, faces: IntArray) -> float:
     """Return the median length of the sides of at most `SAMPLED_FACES` faces; 0 if all are points."""
-    one, other = half_edges(faces[:: 1 + len(faces) // SAMPLED_FACES])
-    step = p[other] - p[one]
-    square = dot(step, step)
+    step = 1 + len(faces) // SAMPLED_FACES
+    square = (
+        compiled.side_squares(p, faces, step) if compiled.serves(p) else _squares(p, faces[::step])
+    )
     square = square[square > 0.0]
     return float(np.sqrt(np.median(square))) if square.size else 0.0
 
 
-def _fit_block(
-    block: Neighbours,
-    step: list[FloatArray],
-    turn: list[FloatArray],
-    weight: FloatArray,
-    normals: FloatArray,
-) -> FloatArray:
-    """Return k_uu, k_uv, k_vv (3, N) of the points of a block, from edges of a weight (E,)."""
-    weighted = [weight * axis for axis in step]
-    # Both moments are summed in world axes and then converted to the frame of the vertex: a third of the
-    # work of converting every edge. Their columns are contiguous.
-    spread, response = (np.empty((6, len(normals))).T for _ in range(2))
-    for entry, (i, j) in enumerate(SYMMETRIC):
-        spread[:, entry] = block.sums(weighted[i] * step[j])
-        product = weighted[i] * turn[j] + weighted[j] * turn[i]
-        response[:, entry] = 0.5 * block.sums(product)
-    u, v = tangent_frame(normals)
-    along_u, along_v = apply_symmetric(spread, u), apply_symmetric(spread, v)
-    xx, xy, yy = dot(along_u, u), dot(along_u, v), dot(along_v, v)
-    along_u, along_v = apply_symmetric(response, u), apply_symmetric(response, v)
-    a, b, c = dot(along_u, u), 2.0 * dot(along_u, v), dot(along_v, v)
-    # [[xx, xy, 0], [xy, xx+yy, xy], [0, xy, yy]] · (k_uu, k_uv, k_vv) = (a, b, c), by Cramer's rule
-    total = xx + yy
-    ridge = FIT_RIDGE * total + np.finfo(np.float64).tiny
-    xx, yy, middle = xx + ridge, yy + ridge, total + ridge
-    determinant = xx * middle * yy - xy * xy * (xx + yy)
-    # The curvature of a vertex without edges is 0.
-    determinant = np.where(determinant > 0.0, determinant, np.inf)
-    k_uu = (a * (middle * yy - xy * xy) - xy * (b * yy - xy * c)) / determinant
-    k_uv = (xx * (b * yy - xy * c) - xy * a * yy) / determinant
-    k_vv = (c * (xx * middle - xy * xy) - xy * (xx * b - xy * a)) / determinant
-    return np.stack([k_uu, k_uv, k_vv])
-
-
-def _limits(
-    block: Neighbours, turn: list[FloatArray], weight: FloatArray, least_length: float
-) -> FloatArray:
-    """Return the greatest principal curvature (N,) that the edges of each point resolve.
-
-    Parameters
-    ----------
-    block
-        Edges of the points.
-    turn
-        Change of normal (E,) along the edges, one array per axis.
-    weight
-        (E,) 1/edge²; 0 for edges without length.
-    least_length
-        Length as which shorter edges count.
-    """
-    square = turn[0] ** 2 + turn[1] ** 2 + turn[2] ** 2
-    square *= weight
-    steepest = np.sqrt(block.greatest(square))
-    shortest = 1.0 / np.sqrt(np.maximum(block.greatest(weight), LEAST_SQUARE))
-    return np.minimum(CONDITIONING * steepest, RESOLVED_TURN / np.maximum(shortest, least_length))
-
-
-def _bounded(fitted: FloatArray, limit: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Return tensors (3, N) whose principal curvatures are within limits (N,), and which were reduced.
-
-    A tensor is scaled as a whole, which keeps its directions and signs.
-    """
-    k_uu, k_uv, k_vv = fitted
-    greatest = 0.5 * np.abs(k_uu + k_vv) + np.hypot(0.5 * (k_uu - k_vv), k_uv)
-    exceeds: NDArray[np.bool_] = np.asarray(greatest > limit)
-    if exceeds.any():
-        fitted = fitted * np.where(exceeds, limit / np.where(exceeds, greatest, 1.0), 1.0)
-    return fitted, exceeds
-
-
-def _smoothed(values: FloatArray, p: FloatArray, faces: IntArray, passes: int) -> FloatArray:
-    if passes == 0:
-        return values
-    count = p.shape[0]
-    area = corner_areas(p, faces, count)
-    corners = [np.ascontiguousarray(column) for column in faces.T]
-    uses = np.maximum(np.bincount(faces.ravel(), minlength=count), 1)
-    result = values.copy()
-    mean = np.empty(len(faces))
-
-    def average(first: int, value: FloatArray) -> None:
-        part = slice(first, first + BLOCK)
-        vertices = [column[part] for column in corners]
-        shares = [area[column] for column in vertices]
-        total = np.maximum(shares[0] + shares[1] + shares[2], np.finfo(np.float64).tiny)
-        a, b, c = (share * value[column] for share, column in zip(shares, vertices, strict=True))
-        mean[part] = (a + b + c) / total
-
-    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for _ in range(passes):
-            for column in range(values.shape[1]):
-                value = np.ascontiguousarray(result[:, column])
-                list(pool.map(partial(average, value=value), range(0, len(faces), BLOCK)))
-                a, b, c = (np.bincount(corner, mean, count) for corner in corners)
-                result[:, column] = (a + b + c) / uses
-    return result
+def _squares(p: FloatArray, faces: IntArray) -> FloatVector:
+    """Return the squares of the lengths of all sides."""
+    one, other = half_edges(faces)
+    step = p[other] - p[one]
+    return dot(step, step)

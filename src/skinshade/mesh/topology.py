@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from .._core.arrays import FloatArray, IntArray
+from . import compiled
 
 __all__ = [
     "Neighbours",
@@ -35,6 +36,8 @@ def weld(positions: FloatArray) -> tuple[IntArray, IntArray]:
     group, first
         (V,) groups of the vertices, and (G,) the first vertex of every group.
     """
+    if compiled.serves(positions):
+        return compiled.weld(positions)
     # Sorting one irrational combination of the coordinates finds equal positions; the check that follows
     # ensures that different positions have not the same combination.
     mixed = positions @ np.array([1.0, np.sqrt(2.0), np.pi])
@@ -51,6 +54,8 @@ def half_edges(faces: NDArray[Index]) -> tuple[NDArray[Index], NDArray[Index]]:
 
 def used_vertices(faces: IntArray, count: int) -> NDArray[np.bool_]:
     """Return which of `count` vertices (V,) a face uses."""
+    if compiled.serves(faces):
+        return compiled.used_vertices(faces, count)
     used = np.zeros(count, dtype=bool)
     used[faces] = True
     return used
@@ -138,6 +143,8 @@ def _perhaps_alone(one: IntArray, other: IntArray, count: int) -> IntArray:
 
 def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
     """Return the areas (F,) of the faces, in the square of the positions' unit."""
+    if compiled.serves(faces):
+        return compiled.face_areas(positions, faces)
     axes = [np.ascontiguousarray(axis) for axis in positions.T]
     result = np.empty(len(faces))
     for first in range(0, len(faces), BLOCK):
@@ -153,13 +160,22 @@ def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
 
 def corner_areas(positions: FloatArray, faces: IntArray, vertex_count: int) -> FloatArray:
     """Return a third of the area of the faces around every vertex (V,)."""
+    if compiled.serves(faces):
+        return compiled.corner_areas(positions, faces, vertex_count)
     thirds = np.repeat(face_areas(positions, faces) / 3.0, 3)
     return np.bincount(faces.ravel(), thirds, vertex_count).astype(np.float64)
 
 
-def open_edge_counts(positions: FloatArray, faces: IntArray) -> dict[str, int]:
-    """Return counts of open edges, non-manifold edges, and edges of opposite winding, after welding."""
-    return edge_counts(weld(positions)[0][faces])
+def open_edge_counts(
+    positions: FloatArray, faces: IntArray, welded: IntArray | None = None
+) -> dict[str, int]:
+    """Return counts of open edges, non-manifold edges, and edges of opposite winding, after welding.
+
+    `welded` has the groups of `weld` at the corners (F, 3), if they are known.
+    """
+    if compiled.serves(positions, faces):
+        return compiled.open_edge_counts(positions, faces)
+    return edge_counts(weld(positions)[0][faces] if welded is None else welded)
 
 
 def edge_counts(welded: IntArray) -> dict[str, int]:

@@ -7,8 +7,11 @@ from numpy.typing import ArrayLike
 
 from .._core.arrays import as_faces, as_floats, as_positions, dot
 from .._core.errors import MeshError
+from . import compiled
 
 __all__ = ["mesh_uv_scale"]
+
+NO_EXTENT = "uvs: no triangle spans an area of the texture; unwrap the mesh first"
 
 
 def mesh_uv_scale(positions: ArrayLike, uvs: ArrayLike, faces: ArrayLike) -> float:
@@ -39,10 +42,15 @@ def mesh_uv_scale(positions: ArrayLike, uvs: ArrayLike, faces: ArrayLike) -> flo
     p = as_positions("positions", positions)
     t = as_floats("uvs", uvs, (p.shape[0], 2))
     f = as_faces("faces", faces, p.shape[0])
+    if compiled.serves(f):
+        scale = compiled.uv_log_scale(p, t, f)
+        if scale is None:
+            raise MeshError(NO_EXTENT)
+        return float(np.exp(scale))
     in_space, in_uv = _longest_edge2(p[f]), _longest_edge2(t[f])
     usable = (in_space > 0.0) & (in_uv > 0.0)
     if not usable.any():
-        raise MeshError("uvs: no triangle spans an area of the texture; unwrap the mesh first")
+        raise MeshError(NO_EXTENT)
     return float(np.exp(0.5 * np.mean(np.log(in_space[usable]) - np.log(in_uv[usable]))))
 
 
