@@ -18,6 +18,7 @@ from .constants import constants_source
 from .function_page import function_page
 from .kernels import kernel_source
 from .library import DIALECTS, library
+from .limits_page import limits_page
 from .passes import passes_source
 from .signatures import signatures
 
@@ -68,6 +69,7 @@ def generate_docs(texts: Mapping[str, str]) -> dict[str, str]:
     """Return the texts of the generated documents by file name, given the texts of `generate`."""
     return {
         "functions.md": function_page(texts),
+        "limits.md": limits_page(),
         "scene.schema.json": _json(json_schema()),
         "images/architecture.svg": architecture_svg(),
     }

@@ -11,6 +11,7 @@ from ._core.version import __version__
 if TYPE_CHECKING:
     from . import gpu
     from ._core.errors import InputError, SkinshadeError
+    from ._core.limits import Limits, limits, use_limits
     from .baking import BakeSettings, bake
     from .heads import Head, builtin_head, head_scene, load_head
     from .lut import Lut, build_shadow_lut, build_transfer_lut
@@ -49,6 +50,7 @@ __all__ = [
     "Environment",
     "Head",
     "InputError",
+    "Limits",
     "Lut",
     "Material",
     "Mesh",
@@ -71,6 +73,7 @@ __all__ = [
     "export_shaders",
     "gpu",
     "head_scene",
+    "limits",
     "load_head",
     "load_mesh",
     "load_scene",
@@ -83,11 +86,13 @@ __all__ = [
     "presets",
     "render",
     "save_image",
+    "use_limits",
     "vertex_attributes",
 ]
 
 _MODULES = {
     "._core.errors": ("InputError", "SkinshadeError"),
+    "._core.limits": ("Limits", "limits", "use_limits"),
     ".baking.asset": ("bake",),
     ".baking.settings": ("BakeSettings",),
     ".heads": ("Head", "builtin_head", "head_scene", "load_head"),

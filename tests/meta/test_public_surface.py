@@ -27,6 +27,7 @@ CONTRACT = {
     "head_scene": "head, *, yaw_deg=28.0, pitch_deg=4.0",
     "load_head": "path, *, unit_mm=None",
     "load_scene": "path, *, lights=None",
+    "limits": "",
     "load_mesh": "path, *, unit_mm=None",
     "mesh_curvature": ("positions, faces, normals=None, *, method='shape-operator', smoothing=2"),
     "mesh_curvature_tensor": "positions, faces, normals=None",
@@ -36,6 +37,7 @@ CONTRACT = {
     "presets": "",
     "render": "scene, *, size=(1280, 720), backend='auto', samples=4",
     "save_image": "path, image, *, tone=None, exposure=None",
+    "use_limits": "base=None, /, **changes",
     "Lut.load": "path",
     "Profile.burley": "*, length_mm, kind, albedo",
     "Profile.dipole": "*, sigma_s_prime_per_mm, sigma_a_per_mm, ior=1.3, albedo=None",
@@ -57,7 +59,7 @@ FURTHER_NAMES = [
     *("Camera", "DirectionalLight", "Environment", "Material", "SkinParams", "SpotLight"),
     *("InputError", "SkinshadeError", "__version__", "BakeSettings", "RenderedImage"),
     *("Skin", "build_transfer_lut", "export_shaders", "gpu", "vertex_attributes"),
-    *("Part", "mesh_thickness"),
+    *("Limits", "Part", "mesh_thickness"),
 ]
 
 

@@ -19,8 +19,10 @@ __all__ = [
     "ImageStack",
     "IndexRows",
     "IntArray",
+    "as_direction",
     "as_faces",
     "as_floats",
+    "as_position",
     "as_positions",
     "as_rgb",
     "as_triple",
@@ -34,6 +36,12 @@ LARGEST_POSITION = 1e15
 
 LARGE = 1 << 15
 """Elements from which a compiled check is faster than several passes of NumPy."""
+
+LARGEST_LIGHT = 1e6
+"""Greatest irradiance, radiance of a background, and factor on light. Sunlight is 1e5 lux. Products of light,
+factors and materials stay below 1e35, which is finite in float32."""
+LARGEST_RADIANCE = 1e9
+"""Greatest radiance of an environment: that of the sun's disk in cd/m²."""
 
 FloatArray = NDArray[np.float64]
 """Floats of any shape."""
@@ -117,6 +125,28 @@ def as_positions(name: str, value: ArrayLike, *, copy: bool = True) -> FloatArra
     return as_floats(
         name, value, (None, 3), low=-LARGEST_POSITION, high=LARGEST_POSITION, copy=copy
     )
+
+
+def as_position(name: str, value: ArrayLike) -> FloatVector:
+    """Return `value` as one position (3,), after checks as in `as_positions`."""
+    return as_positions(name, as_floats(name, value, (3,))[None])[0]
+
+
+def as_direction(name: str, value: ArrayLike) -> FloatVector:
+    """Return `value` (3,) as a unit vector.
+
+    Raises
+    ------
+    ArgumentError
+        If it is not three finite numbers, or all of them are zero.
+    """
+    direction = as_floats(name, value, (3,))
+    greatest = np.abs(direction).max()
+    if greatest == 0.0:
+        raise ArgumentError(f"{name} is 0, 0, 0; it must be a direction")
+    if not 1e-100 < greatest < 1e100:  # the squares would underflow or overflow
+        direction = direction / greatest
+    return unit_vectors(direction)
 
 
 def as_rgb(

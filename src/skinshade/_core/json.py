@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from collections import Counter
 from typing import Any
 
 from .errors import ArgumentError
+from .limits import check_limit, limit_advice, limits
 
 __all__ = ["parse_json"]
-
-DEEPEST = 128
-"""Greatest nesting of arrays and objects: ten times that of any exporter, and safe for recursive readers."""
 
 
 def parse_json(text: str) -> Any:
@@ -21,16 +20,21 @@ def parse_json(text: str) -> Any:
     Raises
     ------
     ArgumentError
-        If the text is not JSON, an object has a key twice, a number is not finite, or the nesting is
-        deeper than `DEEPEST`.
+        If the text is not JSON, an object has a key twice, a number is not finite, or the text is beyond
+        the limits `json_bytes`, `json_values` or `json_depth`.
     """
+    check_limit("json_bytes", len(text), "its JSON")
+    check_limit("json_values", sum(map(text.count, ",[{")), "its JSON")
     try:
         value = json.loads(
             text, parse_constant=_no_number, parse_float=_finite, object_pairs_hook=_object
         )
     except ArgumentError:
         raise
-    except (ValueError, RecursionError) as error:
+    except RecursionError:
+        advice = limit_advice("json_depth", sys.getrecursionlimit())
+        raise ArgumentError(f"it nests too deep to be read; {advice}") from None
+    except ValueError as error:
         raise ArgumentError(f"not JSON ({error})") from None
     _check_depth(value)
     return value
@@ -56,10 +60,10 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _check_depth(value: Any) -> None:
-    level = [value] if isinstance(value, (dict, list)) else []
-    for _ in range(DEEPEST):
-        children = [node.values() if isinstance(node, dict) else node for node in level]
-        level = [child for group in children for child in group if isinstance(child, (dict, list))]
-        if not level:
-            return
-    raise ArgumentError(f"it nests deeper than {DEEPEST} levels")
+    depth, level = 0, [value]
+    while level := [inner for inner in level if isinstance(inner, (dict, list))]:
+        depth += 1
+        groups = [node.values() if isinstance(node, dict) else node for node in level]
+        level = [child for group in groups for child in group]
+    if depth > limits().json_depth:
+        raise ArgumentError(f"it nests {depth} levels deep; {limit_advice('json_depth', depth)}")

@@ -12,6 +12,7 @@ from typing import Literal, get_args
 
 from .._core.errors import ArgumentError, SkinshadeError
 from .._core.files import remove_dead_files
+from .._core.limits import Limits, limits, use_limits
 from .._core.version import __version__
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh.readers import SUFFIXES
@@ -54,6 +55,8 @@ class Job:
         Folders to which records and reports state the names of files.
     problem
         Reason why the asset cannot be baked, else empty.
+    active_limits
+        Limits under which the asset is read, in any process: those that apply when the job is created.
     """
 
     source: Path
@@ -65,6 +68,7 @@ class Job:
     source_folder: Path
     output_folder: Path
     problem: str = ""
+    active_limits: Limits = field(default_factory=limits)
 
     @property
     def source_name(self) -> str:
@@ -191,6 +195,11 @@ def run_job(job: Job) -> JobResult:
     """Bake an asset unless it is current. Errors are returned in the result, not raised."""
     if job.problem:
         return failure(job, job.problem)
+    with use_limits(job.active_limits):
+        return _run(job)
+
+
+def _run(job: Job) -> JobResult:
     try:
         key = _key(job)
         current = _current_result(job, key)

@@ -21,6 +21,7 @@ from ..baking.settings import MapFormat, OutputFormat
 from ..mesh.axes import UpAxis
 from ..mesh.rays import RayTracing
 from ..mesh.readers import SUFFIXES
+from .limits import LimitOptions
 from .options import expand_options
 from .progress import has_bar, terminal_progress
 from .terminal import echo, printable
@@ -130,18 +131,19 @@ def bake_command(
     ] = False,
     analysis: AnalysisOptions,
     library: LibraryOptions,
+    limits: LimitOptions,
 ) -> None:
     """Write copies of models that have curvature, and on request thickness, at their vertices."""
     settings = analysis.settings()
-    if in_place:
-        _bake_in_place(sources, output, settings)
-        return
-    if output is None:
-        raise ArgumentError("--output is missing; give it, or --in-place")
-    if _is_single(sources, output, library):
-        _bake_one(sources[0], output, settings)
-    else:
-        _bake_many(sources, output, settings, library)
+    with limits.in_force():
+        if in_place:
+            _bake_in_place(sources, output, settings)
+        elif output is None:
+            raise ArgumentError("--output is missing; give it, or --in-place")
+        elif _is_single(sources, output, library):
+            _bake_one(sources[0], output, settings)
+        else:
+            _bake_many(sources, output, settings, library)
 
 
 def _is_single(sources: list[Path], output: Path, library: LibraryOptions) -> bool:

@@ -9,23 +9,23 @@ import typer
 
 from .._core.choice import Choice
 from .._core.errors import ArgumentError
+from .._core.limits import limit_range
 from ..rendering import Backend, Renderer, open_renderer, save_image
 from ..rendering.images import check_image_path
 from ..rendering.settings import RenderSettings, check_size
 from ..rendering.tone import display_values
 from ..scene import Camera, Scene
 from .compare import parse_variant, side_by_side
+from .limits import LimitOptions
 from .options import expand_options
 from .picture import ShadingOptions
 from .progress import terminal_progress
 from .scene import LightOptions, MaterialOptions, ModelOptions, build_scene
-from .terminal import echo
+from .terminal import echo, printable
 from .timings import timing_report
 from .values import check_output, parse_size
 
 __all__ = ["render_command"]
-
-MOST_FRAMES = 3600
 
 
 class TimingForm(Choice):
@@ -71,28 +71,31 @@ def render_command(
     shading: ShadingOptions,
     light: LightOptions,
     material: MaterialOptions,
+    limits: LimitOptions,
 ) -> None:
     """Draw a head, as PNG or EXR."""
-    settings = shading.settings()
-    extent = parse_size(size)
-    check_size(extent, samples)
-    check_image_path(output, (".png",) if compare else (".png", ".exr"))
-    if not 0 <= turntable <= MOST_FRAMES:
-        raise ArgumentError(f"--turntable is {turntable}; it must be 0..{MOST_FRAMES} frames")
-    variants = [parse_variant(text, settings) for text in compare.split(",")] if compare else []
-    scene = build_scene(model, material, light)
-    _report_parts(scene)
-    with terminal_progress() as progress:
-        renderer = open_renderer(scene, backend, progress=progress, adapter=adapter)
-        if variants:
-            _draw_compared(renderer, scene, extent, samples, variants, output)
-        elif turntable:
-            _draw_turntable(renderer, scene, extent, samples, settings, turntable, output)
-        else:
-            _draw(renderer, scene.camera, extent, samples, settings, output)
-            echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.device_name}")
-    if timings is not None:
-        echo(timing_report(renderer, as_json=timings == TimingForm.JSON))
+    with limits.in_force() as most:
+        settings = shading.settings()
+        extent = parse_size(size)
+        check_size(extent, samples)
+        check_image_path(output, (".png",) if compare else (".png", ".exr"))
+        if not 0 <= turntable <= most.frames:
+            allowed = limit_range("frames", 0, turntable)
+            raise ArgumentError(f"--turntable is {turntable}; it must be {allowed}")
+        variants = [parse_variant(text, settings) for text in compare.split(",")] if compare else []
+        scene = build_scene(model, material, light)
+        _report_parts(scene)
+        with terminal_progress() as progress:
+            renderer = open_renderer(scene, backend, progress=progress, adapter=adapter)
+            if variants:
+                _draw_compared(renderer, scene, extent, samples, variants, output)
+            elif turntable:
+                _draw_turntable(renderer, scene, extent, samples, settings, turntable, output)
+            else:
+                _draw(renderer, scene.camera, extent, samples, settings, output)
+                echo(f"{output}: {extent[0]}×{extent[1]}, drawn on {renderer.device_name}")
+        if timings is not None:
+            echo(timing_report(renderer, as_json=timings == TimingForm.JSON))
 
 
 def _report_parts(scene: Scene) -> None:
@@ -101,8 +104,8 @@ def _report_parts(scene: Scene) -> None:
         return
     skin = [scene.material.name, *(part.name for part in scene.parts if part.is_skin)]
     others = [part.name for part in scene.parts if not part.is_skin]
-    typer.echo(f"materials with scattering: {', '.join(skin)}")
-    typer.echo(f"materials without scattering: {', '.join(others) or 'none'}")
+    echo(f"materials with scattering: {printable(', '.join(skin))}")
+    echo(f"materials without scattering: {printable(', '.join(others) or 'none')}")
 
 
 def _draw(

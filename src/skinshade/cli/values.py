@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 
 from .._core.errors import ArgumentError, OutputError
 
-__all__ = ["check_output", "parse_numbers", "parse_pair", "parse_size"]
+__all__ = ["check_output", "parse_limits", "parse_numbers", "parse_pair", "parse_size"]
 
 
 def check_output(output: Path | None) -> Path | None:
@@ -66,3 +67,24 @@ def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
     if not (text.isascii() and width.isdigit() and height.isdigit()):
         raise ArgumentError(f"{option} is {text!r}; it must be WIDTHxHEIGHT, such as 1280x720")
     return int(width), int(height)
+
+
+def parse_limits(texts: Sequence[str], option: str = "--limit") -> dict[str, int]:
+    """Return the values in texts such as ``image_pixels=1000000``, by name.
+
+    Names may have hyphens instead of underscores. The last value of a name applies.
+
+    Raises
+    ------
+    ArgumentError
+        If a text has another form; the message names the option and the text.
+    """
+    values = {}
+    for text in texts:
+        name, _, value = text.partition("=")
+        if not (name and value.isascii() and value.isdigit() and len(value) < 20):
+            raise ArgumentError(
+                f"{option} is {text!r}; it must be NAME=VALUE with a whole number, such as lights=100"
+            )
+        values[name.replace("-", "_")] = int(value)
+    return values

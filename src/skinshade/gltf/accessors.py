@@ -27,6 +27,8 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 """Components of the types that are read. No attribute of the format has the types MAT2 and MAT3."""
 TRIANGLES, STRIP, FAN = 4, 5, 6
 """Modes of primitives with triangles."""
+GREATEST = 2**53
+"""Greatest whole number of a field: JSON readers agree on all numbers up to it, and sums fit in 64 bits."""
 
 
 def accessor_width(gltf: GltfDocument, index: Any, where: str) -> int | None:
@@ -216,8 +218,8 @@ def normalised(values: np.ndarray[Any, Any], normalized: bool) -> FloatArray:
 
 
 def _whole(value: Any, here: str, name: str, least: int = 0) -> int:
-    if not isinstance(value, int) or isinstance(value, bool) or value < least:
+    if not isinstance(value, int) or isinstance(value, bool) or not least <= value <= GREATEST:
         raise MeshFileError(
-            f"{here}: {name} is {value!r}; it must be a whole number, {least} or more"
+            f"{here}: {name} is {value!r:.80}; it must be a whole number, {least} or more"
         )
     return value

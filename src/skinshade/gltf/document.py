@@ -18,6 +18,7 @@ from urllib.parse import unquote
 from .._core.errors import ArgumentError, MeshFileError
 from .._core.files import existing_file
 from .._core.json import parse_json
+from .._core.limits import check_file_size, check_limit, limit_advice, limits
 
 __all__ = [
     "BINARY_CHUNK",
@@ -38,9 +39,8 @@ COMPRESSED = {
     "KHR_meshopt_compression": "meshopt",
 }
 """Extensions whose compressed geometry cannot be decoded, with the name of the compression."""
-FREE_BYTES, BYTES_PER_BYTE = 1 << 24, 32
-"""Limit of the decoded bytes of all accessors: FREE_BYTES, plus BYTES_PER_BYTE for every byte of the buffers.
-One stored byte becomes 8 as float64; the rest lets accessors share bytes."""
+LIMITED = ("nodes", "meshes")
+"""Arrays whose length has a limit of the same name."""
 
 
 @dataclass
@@ -64,6 +64,7 @@ class GltfDocument:
     binary: bytes | None = None
     chunks: list[tuple[int, bytes]] = field(default_factory=list)
     _buffers: dict[int, bytes] = field(default_factory=dict)
+    _files: dict[Path, bytes] = field(default_factory=dict)
     _arrays: dict[str, list[Any]] = field(default_factory=dict)
     _produced: int = 0
 
@@ -73,12 +74,18 @@ class GltfDocument:
         Raises
         ------
         MeshFileError
-            If it is not an array of objects.
+            If it is not an array of objects, or has more entries than its limit.
         """
         if key not in self._arrays:
             value = self.json.get(key, [])
             if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
                 raise MeshFileError(f"{self.path}: {key} is not an array of objects")
+            if key in LIMITED:
+                check_limit(key, len(value), str(self.path), MeshFileError)
+            if key == "meshes":
+                parts = (mesh.get("primitives") for mesh in value)
+                count = sum(len(part) for part in parts if isinstance(part, list))
+                check_limit("primitives", count, str(self.path), MeshFileError)
             self._arrays[key] = value
         return self._arrays[key]
 
@@ -124,14 +131,16 @@ class GltfDocument:
         Raises
         ------
         MeshFileError
-            If the accessors decode to more numbers than the buffers can hold: some read the same bytes
-            repeatedly.
+            If the accessors decode to more numbers than the limits allow for the bytes of the buffers:
+            some read the same bytes repeatedly.
         """
         self._produced += 8 * count
-        available = sum(map(len, self._buffers.values()))
-        if self._produced > FREE_BYTES + BYTES_PER_BYTE * available:
+        available, most = self._buffer_bytes(), limits()
+        free = self._produced - most.accessor_bytes_per_byte * available
+        if free > most.accessor_free_bytes:
             raise MeshFileError(
-                f"{where} needs {count} more numbers; that is too many for {available} bytes of buffers"
+                f"{where} needs {count} more numbers; that is too many for {available} bytes of buffers:"
+                f" {limit_advice('accessor_free_bytes', free)}"
             )
 
     def external_files(self) -> dict[Path, Path]:
@@ -177,10 +186,19 @@ class GltfDocument:
         if uri.startswith("data:"):
             return self._data_uri(uri, name)
         try:
-            return existing_file(self._file_of(uri), MeshFileError).read_bytes()
+            file = existing_file(self._file_of(uri), MeshFileError)
+            if file not in self._files:
+                size = self._buffer_bytes() + file.stat().st_size
+                check_limit("file_bytes", size, "all buffers", MeshFileError)
+                self._files[file] = file.read_bytes()
+            return self._files[file]
         except MeshFileError as error:
             text = str(error).removeprefix(f"{self.path}: ")
             raise MeshFileError(f"{self.path}: {name}: {text}") from None
+
+    def _buffer_bytes(self) -> int:
+        """Return the bytes of all buffers that have been read; buffers of one file count once."""
+        return sum({id(data): len(data) for data in self._buffers.values()}.values())
 
     def _data_uri(self, uri: str, name: str) -> bytes:
         head, comma, text = uri.partition(",")
@@ -222,8 +240,10 @@ def read_gltf(path: Path) -> GltfDocument:
         If the file is missing, truncated or not glTF 2, or needs a decoder that skinshade does not have.
     """
     file = existing_file(path, MeshFileError)
+    check_file_size(file, MeshFileError)
     data = file.read_bytes()
     text, binary, chunks = _chunks(file, data) if data[:4] == MAGIC else (data, None, [])
+    check_limit("json_bytes", len(text), f"{file}: its JSON", MeshFileError)
     try:
         document = parse_json(text.decode("utf-8-sig"))
     except (UnicodeDecodeError, ArgumentError) as error:

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 
 from .._core.arrays import FloatArray, IntArray
-from .._core.errors import MeshFileError
+from .._core.errors import ArgumentError, MeshFileError
+from .._core.limits import check_limit
 from .accessors import normalised, view_bytes
 from .document import GltfDocument
+from .draco_header import draco_counts
 
 __all__ = ["DRACO", "read_draco"]
 
@@ -50,6 +52,7 @@ def read_draco(
     if not isinstance(names, dict):
         raise MeshFileError(f"{here}: {DRACO} has no attributes")
     data = view_bytes(gltf, extension.get("bufferView"), f"{where}: {DRACO}")
+    _check_counts(data, here)
     try:
         decoded: Any = DracoPy.decode(data)
         arrays = {attribute["unique_id"]: attribute["data"] for attribute in decoded.attributes}
@@ -60,7 +63,10 @@ def read_draco(
     for name, width in wanted.items():
         if name not in primitive["attributes"] or name not in names:
             continue
-        values = np.asarray(arrays.get(names[name], np.zeros((0, 0))))
+        attribute = names[name]
+        if not isinstance(attribute, int) or attribute not in arrays:
+            raise MeshFileError(f"{here}: Draco has no attribute {attribute!r:.80} for {name}")
+        values = np.asarray(arrays[attribute])
         if values.ndim != 2 or values.shape[1] != width or not len(values):
             raise MeshFileError(f"{here}: {name} has shape {values.shape} after decoding")
         accessor = gltf.item("accessors", primitive["attributes"][name], f"{where}: {name}")
@@ -75,3 +81,14 @@ def read_draco(
     if not shaped or (faces.size and faces.max() >= len(table["POSITION"])):
         raise MeshFileError(f"{here}: Draco returns faces with indices out of range")
     return table, faces
+
+
+def _check_counts(data: bytes, here: str) -> None:
+    """Raise if the header states more triangles or vertices than the limits allow."""
+    try:
+        counts = draco_counts(data)
+    except (IndexError, ArgumentError):
+        raise MeshFileError(f"{here}: Draco cannot decode it (its header is corrupt)") from None
+    if counts is not None:
+        check_limit("triangles", counts[0], here, MeshFileError)
+        check_limit("vertices", counts[1], here, MeshFileError)

@@ -11,6 +11,7 @@ import numpy as np
 
 from .._core.arrays import FloatArray, IntArray, as_positions, dot
 from .._core.errors import MeshFileError
+from .._core.limits import check_limit
 from .accessors import FAN, STRIP, TRIANGLES, accessor_width, read_accessor, read_triangles
 from .document import COMPRESSED, GltfDocument
 from .draco import DRACO, read_draco
@@ -140,8 +141,11 @@ def read_mesh(
         faces.append(corners + vertices.start)
         materials.append(np.full(len(corners), _material(gltf, primitive, where), dtype=np.int64))
         parts.append(Part(number, vertices))
-    if not sum(map(len, faces)):
+    triangles = sum(map(len, faces))
+    if not triangles:
         return None
+    check_limit("vertices", start, f"{gltf.path}: mesh {index}", MeshFileError)
+    check_limit("triangles", triangles, f"{gltf.path}: mesh {index}", MeshFileError)
     return parts, _triangle_set(tables, np.concatenate(faces), np.concatenate(materials))
 
 
@@ -166,8 +170,9 @@ def read_scene(gltf: GltfDocument, *, custom: bool = False) -> tuple[list[Placed
     """
     placements = mesh_placements(gltf, visible_only=True)
     unplaced = Placement([] if "nodes" in gltf.json else [np.eye(4)])
-    placed = []
+    placed: list[Placed] = []
     skipped: list[tuple[int, SkippedNode]] = []
+    vertices = triangles = 0
     for index in range(len(gltf.items("meshes"))):
         placement = placements.get(index, unplaced)
         skipped += [(index, node) for node in placement.skipped]
@@ -177,6 +182,10 @@ def read_scene(gltf: GltfDocument, *, custom: bool = False) -> tuple[list[Placed
             continue
         where = f"{gltf.path}: mesh {index}"
         as_positions(f"{where}: positions", mesh[1].positions)
+        vertices += len(matrices) * len(mesh[1].positions)
+        triangles += len(matrices) * len(mesh[1].faces)
+        check_limit("vertices", vertices, f"{where}: all instances", MeshFileError)
+        check_limit("triangles", triangles, f"{where}: all instances", MeshFileError)
         for matrix in matrices:
             gltf.count_numbers(mesh[1].positions.size + mesh[1].faces.size, where)
             placed.append(Placed(index, matrix, _placed(mesh[1], matrix)))

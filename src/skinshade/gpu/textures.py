@@ -12,6 +12,8 @@ from .device import BufferUsage, GPUBuffer, GPUDevice, GPUTexture, TextureUsage
 
 __all__ = ["buffer", "filtered_texture", "loaded_texture", "rgba"]
 
+LARGEST_HALF = float(np.finfo(np.float16).max)
+"""Greatest half float, 65504."""
 USAGE = TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_DST
 
 
@@ -23,9 +25,11 @@ def buffer(device: GPUDevice, data: bytes, usage: int) -> GPUBuffer:
 def filtered_texture(device: GPUDevice, levels: list[ImageArray]) -> GPUTexture:
     """Return a texture of mip levels (h, w, C) in half floats, which every device can filter.
 
-    Tables in half floats change the picture of a head by at most .03 of 255.
+    Tables in half floats change the picture of a head by at most .03 of 255. Greater values than those of
+    half floats, as in the reflection of a very bright sun, become the greatest half float.
     """
-    return _texture(device, [rgba(level) for level in levels], "rgba16float")
+    bounded = [np.clip(rgba(level), -LARGEST_HALF, LARGEST_HALF) for level in levels]
+    return _texture(device, bounded, "rgba16float")
 
 
 def loaded_texture(device: GPUDevice, values: ImageArray) -> GPUTexture:

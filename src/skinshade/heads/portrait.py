@@ -19,6 +19,8 @@ HEIGHT_PER_DEPTH = 1.25
 """Greatest ratio of height to depth that counts as head; the rest of a mesh is neck and shoulders."""
 DISTANCE_PER_HEIGHT = 3.65
 """Ratio of the distance of the camera to the height of the head."""
+FLATTEST = 1e-3
+"""Least ratio of the height of a head to the extent of the mesh; a flatter mesh is a sheet without a head."""
 VERTICAL_FOV_DEG = 19.0
 
 
@@ -65,14 +67,22 @@ def head_scene(
 
 
 def portrait_camera(mesh: Mesh, yaw_deg: float, pitch_deg: float) -> Camera:
-    """Return a camera that frames the head at the top of a mesh; the angles are in degrees."""
+    """Return a camera that frames the head at the top of a mesh; the angles are in degrees.
+
+    A flat mesh is framed as a whole.
+    """
     points = mesh.positions_mm
     low, high = points.min(axis=0), points.max(axis=0)
-    height = min(high[1] - low[1], HEIGHT_PER_DEPTH * (high[2] - low[2]))
-    upper = points[points[:, 1] > high[1] - 0.6 * height]
-    centre = 0.5 * (upper.min(axis=0) + upper.max(axis=0))
+    extent = high - low
+    height = min(extent[1], HEIGHT_PER_DEPTH * extent[2])
+    if height < FLATTEST * extent.max():
+        target, height = 0.5 * (low + high), extent.max()
+    else:
+        upper = points[points[:, 1] >= high[1] - 0.6 * height]
+        centre = 0.5 * (upper.min(axis=0) + upper.max(axis=0))
+        target = np.array([centre[0], high[1] - 0.5 * height, centre[2]])
     return Camera.orbit(
-        np.array([centre[0], high[1] - 0.5 * height, centre[2]]),
+        target,
         DISTANCE_PER_HEIGHT * height,
         yaw_deg=yaw_deg,
         pitch_deg=pitch_deg,

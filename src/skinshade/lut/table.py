@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from .._core.arrays import FloatArray, ImageArray, as_floats
 from .._core.errors import ArgumentError, LutFileError
+from .._core.limits import check_limit, limit_range, limits
 from .._core.notebook import png_bytes
 from .._core.srgb import srgb_from_linear
 from .files import read_table, write_table
@@ -223,7 +224,10 @@ class Lut:
         values, record = read_table(path)
         try:
             axes = Axis(**record["columns"]), Axis(**record["rows"])
-            return cls(values, record["kind"], *axes, record["provenance"])
+            provenance = record["provenance"]
+            if not isinstance(provenance, dict):
+                raise ArgumentError(f"provenance is {provenance!r:.80}; it must be an object")
+            return cls(values, record["kind"], *axes, provenance)
         except (KeyError, TypeError, ValueError) as error:
             raise LutFileError(
                 f"{path}: the description of its axes is incomplete or wrong: {error}"
@@ -244,14 +248,17 @@ def checked_size(size: tuple[int, int]) -> tuple[int, int]:
     Raises
     ------
     ArgumentError
-        If a side is not 2..16384.
+        If a side is not 2..16384, or there are more texels than 4096×4096: the limits ``table_side`` and
+        ``table_texels`` of `skinshade.Limits`.
     """
     try:
         width, height = (operator.index(n) for n in size)
     except (TypeError, ValueError):
         raise ArgumentError(f"size is {size!r}; it must be (width, height) in texels") from None
-    if not (2 <= width <= 16384 and 2 <= height <= 16384):
-        raise ArgumentError(f"size is {width}×{height}; each side must be 2..16384 texels")
+    if not 2 <= min(width, height) <= max(width, height) <= limits().table_side:
+        allowed = limit_range("table_side", 2, max(width, height))
+        raise ArgumentError(f"size is {width}×{height}; each side must be {allowed}")
+    check_limit("table_texels", width * height, f"size is {width}×{height}")
     return width, height
 
 

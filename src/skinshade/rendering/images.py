@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._core.arrays import FloatArray, ImageArray
+from .._core.arrays import LARGEST_LIGHT, FloatArray, ImageArray, as_floats
 from .._core.errors import ArgumentError, OutputError
 from .._core.notebook import png_bytes
 from ..params.choices import ToneCurve
@@ -101,7 +101,7 @@ def save_image(
         Tone curve of a PNG, ``filmic`` or ``srgb``. If None: the curve of the scene for an image from
         `render`, else ``filmic``.
     exposure
-        Factor before the tone curve, ≥ 0. If None: the exposure of the scene for an image from `render`,
+        Factor before the tone curve, 0..1e6. If None: the exposure of the scene for an image from `render`,
         else 1.
 
     Raises
@@ -118,6 +118,8 @@ def save_image(
     pixels: NDArray[Any] = np.asarray(image)
     if pixels.ndim != 3 or pixels.shape[2] not in (3, 4):
         raise ArgumentError(f"image: shape is {pixels.shape}; it must be (H, W, 3) or (H, W, 4)")
+    if pixels.dtype.kind == "f" and not np.isfinite(pixels).all():
+        raise ArgumentError("image: holds NaN or infinite values")
     suffix = Path(path).suffix.lower()
     if suffix == ".exr" and pixels.dtype != np.uint8:
         write_exr(path, pixels)
@@ -126,8 +128,7 @@ def save_image(
     elif suffix == ".png":
         curve = getattr(image, "tone", ToneCurve.FILMIC) if tone is None else tone
         factor = getattr(image, "exposure", 1.0) if exposure is None else exposure
-        if not 0.0 <= factor < np.inf:
-            raise ArgumentError(f"exposure is {factor}; it must be a number, 0 or more")
+        as_floats("exposure", factor, (), low=0.0, high=LARGEST_LIGHT)
         write_png(path, _display(pixels, ToneCurve.of(curve, "tone"), factor))
     else:
         raise ArgumentError(

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 from .._core.choice import Choice
 from .._core.errors import ArgumentError
+from .._core.limits import limit_range, limits
 from ..params.choices import Antialiasing, Shading, ShadowFilter, Tier, View
 from ..shading.deep_scatter import THICKNESS_TAPS
 
 __all__ = [
     "CURVATURE_RANGE_PER_MM",
-    "MOST_SAMPLES",
     "MULTISAMPLES",
     "NORMAL_FETCHES",
     "TAP_COUNTS",
@@ -27,8 +27,6 @@ NORMAL_FETCHES = (2, 3)
 """Allowed numbers of fetches of the normal map."""
 MULTISAMPLES = 4
 """Samples per pixel with multisampling."""
-LARGEST_SIDE = 16384
-MOST_SAMPLES = 256
 CURVATURE_RANGE_PER_MM = 0.2
 """Curvature at the ends of the colour range of `View.CURVATURE`, 1/mm."""
 THICKNESS_RANGE_MM = 30.0
@@ -128,10 +126,13 @@ def check_size(size: tuple[int, int], samples: int) -> None:
     Raises
     ------
     ArgumentError
-        If a side is not 1..16384 pixels, or the number of samples is not 1..256.
+        If a side is not 1..16384 pixels, or the number of samples is not 1..256: the limits
+        ``picture_side`` and ``samples`` of `skinshade.Limits`.
     """
     width, height = size
-    if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE):
-        raise ArgumentError(f"size is {width}×{height}; each side must be 1..{LARGEST_SIDE} pixels")
-    if not 1 <= samples <= MOST_SAMPLES:
-        raise ArgumentError(f"samples is {samples}; it must be 1..{MOST_SAMPLES}")
+    if not 1 <= min(width, height) <= max(width, height) <= limits().picture_side:
+        allowed = limit_range("picture_side", 1, max(width, height))
+        raise ArgumentError(f"size is {width}×{height}; each side must be {allowed}")
+    if not 1 <= samples <= limits().samples:
+        allowed = limit_range("samples", 1, samples)
+        raise ArgumentError(f"samples is {samples}; it must be {allowed} per pixel")

@@ -7,10 +7,44 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, FloatRows, FloatVector, as_floats, unit_vectors
+from .._core.arrays import (
+    LARGEST_POSITION,
+    FloatArray,
+    FloatRows,
+    FloatVector,
+    as_direction,
+    as_floats,
+    as_position,
+    unit_vectors,
+)
 from .._core.errors import ArgumentError
 
-__all__ = ["Camera", "look_at", "parallel", "perspective"]
+__all__ = ["Camera", "check_apart", "look_at", "parallel", "perspective"]
+
+LEAST_DISTANCE_MM = 1e-9
+"""Least distance of a position from its target, mm: a thousandth of the least unit of length."""
+LEAST_RELATIVE_DISTANCE = 1e-9
+"""Least ratio of this distance to the greatest coordinate; rays lose their direction to rounding below it."""
+
+
+def check_apart(name: str, position_mm: FloatVector, target_mm: FloatVector) -> None:
+    """Raise if a position (3,) and its target (3,) are so close that no direction is defined; mm.
+
+    Raises
+    ------
+    ArgumentError
+        With `name`, the position and the distance.
+    """
+    distance = float(np.abs(position_mm - target_mm).max())
+    if distance == 0.0:
+        raise ArgumentError(f"{name}: position and target are both {position_mm} mm")
+    largest = float(max(np.abs(position_mm).max(), np.abs(target_mm).max()))
+    least = max(LEAST_DISTANCE_MM, LEAST_RELATIVE_DISTANCE * largest)
+    if distance < least:
+        raise ArgumentError(
+            f"{name}: position and target are {distance:g} mm apart at coordinates up to"
+            f" {largest:g} mm; the distance must be {least:g} mm or more"
+        )
 
 
 def look_at(eye: FloatArray, target: FloatArray, up: FloatArray) -> FloatRows:
@@ -58,11 +92,11 @@ class Camera:
     Attributes
     ----------
     position_mm, target_mm
-        (3,) mm.
+        (3,) mm, each number within ±1e15; apart by 1e-9 mm and 1e-9 of the greatest number, or more.
     vertical_fov_deg
         Vertical field of view, degrees, 1..150.
     up
-        (3,) direction that is up in the picture.
+        (3,) direction that is up in the picture; it is normalised.
 
     Examples
     --------
@@ -77,12 +111,10 @@ class Camera:
     up: FloatVector = (0.0, 1.0, 0.0)  # type: ignore[assignment]  # converted in __post_init__
 
     def __post_init__(self) -> None:
-        for name in ("position_mm", "target_mm", "up"):
-            object.__setattr__(self, name, as_floats(f"camera {name}", getattr(self, name), (3,)))
-        if np.array_equal(self.position_mm, self.target_mm):
-            raise ArgumentError(f"camera: position and target are both {self.position_mm} mm")
-        if not self.up.any():
-            raise ArgumentError("camera up is 0, 0, 0; it must be a direction")
+        for name in ("position_mm", "target_mm"):
+            object.__setattr__(self, name, as_position(f"camera {name}", getattr(self, name)))
+        check_apart("camera", self.position_mm, self.target_mm)
+        object.__setattr__(self, "up", as_direction("camera up", self.up))
         as_floats("camera vertical_fov_deg", self.vertical_fov_deg, (), low=1.0, high=150.0)
 
     @classmethod
@@ -100,9 +132,9 @@ class Camera:
         Parameters
         ----------
         target_mm
-            (3,) mm.
+            (3,) mm, each number within ±1e15.
         distance_mm
-            Radius of the sphere, mm, > 0.
+            Radius of the sphere, mm, 1e-9..1e15.
         yaw_deg
             Degrees; 0 shows the front of a head that faces +z, 90 its left side.
         pitch_deg
@@ -115,10 +147,11 @@ class Camera:
         ArgumentError
             If a value is out of range.
         """
-        target = as_floats("target_mm", target_mm, (3,))
-        return cls(
-            target + distance_mm * direction_of(yaw_deg, pitch_deg), target, vertical_fov_deg
+        target = as_position("target_mm", target_mm)
+        distance = as_floats(
+            "distance_mm", distance_mm, (), low=LEAST_DISTANCE_MM, high=LARGEST_POSITION
         )
+        return cls(target + distance * direction_of(yaw_deg, pitch_deg), target, vertical_fov_deg)
 
     def __repr__(self) -> str:
         position, target = self.position_mm.round(3), self.target_mm.round(3)
@@ -139,6 +172,13 @@ class Camera:
 
 
 def direction_of(yaw_deg: float, pitch_deg: float) -> FloatVector:
-    """Return the unit vector (3,) of a yaw from +z towards +x and a pitch towards +y, degrees."""
-    yaw, pitch = np.radians(yaw_deg), np.radians(pitch_deg)
+    """Return the unit vector (3,) of a yaw from +z towards +x and a pitch towards +y, degrees.
+
+    Raises
+    ------
+    ArgumentError
+        If an angle is not a finite number.
+    """
+    yaw = np.radians(as_floats("yaw_deg", yaw_deg, ()))
+    pitch = np.radians(as_floats("pitch_deg", pitch_deg, ()))
     return np.array([np.sin(yaw) * np.cos(pitch), np.sin(pitch), np.cos(yaw) * np.cos(pitch)])

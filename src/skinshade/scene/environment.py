@@ -8,8 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, ImageArray, as_floats, as_rgb
-from .._core.errors import ArgumentError
+from .._core.arrays import (
+    LARGEST_LIGHT,
+    LARGEST_RADIANCE,
+    FloatArray,
+    ImageArray,
+    as_floats,
+    as_rgb,
+)
+from .._core.errors import ArgumentError, ImageFileError
 from ..shading.ambient import sh_basis
 from ..shading.image_light import (
     LEVEL_SIZE,
@@ -25,6 +32,8 @@ __all__ = ["Environment"]
 BANDS = 64
 """Harmonics kept for reflections: a Phong lobe of power p needs about 2√(p+1) of them."""
 WORK_SIZE = (256, 128)
+ROWS = 64
+"""Rows of an image that are averaged at once."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -34,9 +43,9 @@ class Environment:
     Attributes
     ----------
     radiance
-        (H, W, 3) linear; u = ½ + atan2(z, x)/2π, v = acos(y)/π from the top.
+        (H, W, 3) linear, 0..1e9; u = ½ + atan2(z, x)/2π, v = acos(y)/π from the top.
     scale
-        Factor on the radiance, ≥ 0.
+        Factor on the radiance, 0..1e6.
     visible
         Show the environment behind the body.
 
@@ -64,9 +73,12 @@ class Environment:
                 " W 2 or more"
             )
         object.__setattr__(self, "radiance", image)
-        if not np.isfinite(self.radiance).all() or self.radiance.min() < 0.0:
-            raise ArgumentError("environment radiance: all values must be finite and not negative")
-        as_floats("environment scale", self.scale, (), low=0.0)
+        if not (image.min() >= 0.0 and image.max() <= LARGEST_RADIANCE):  # false for NaN
+            raise ArgumentError(
+                f"environment radiance: values reach from {image.min():g} to {image.max():g}; all must be"
+                f" finite, not negative, and {LARGEST_RADIANCE:g} or less"
+            )
+        as_floats("environment scale", self.scale, (), low=0.0, high=LARGEST_LIGHT)
 
     @classmethod
     def load(
@@ -79,16 +91,22 @@ class Environment:
         path
             ``.hdr`` or ``.exr``, linear, or any other image, sRGB; negative values become 0.
         scale
-            Factor on the radiance, ≥ 0.
+            Factor on the radiance, 0..1e6.
         visible
             Show the environment behind the body.
 
         Raises
         ------
         ImageFileError
-            If the file cannot be read.
+            If the file cannot be read, or a value is above 1e9.
         """
-        return cls(np.maximum(read_linear(path), 0.0), scale, visible)
+        image = read_linear(path)
+        np.maximum(image, 0.0, out=image)
+        if image.max() > LARGEST_RADIANCE:
+            raise ImageFileError(
+                f"{path}: its radiance reaches {image.max():g}; the greatest is {LARGEST_RADIANCE:g}"
+            )
+        return cls(image, scale, visible)
 
     @classmethod
     def constant(cls, radiance: ArrayLike, *, scale: float = 1.0) -> Environment:
@@ -97,17 +115,19 @@ class Environment:
         Parameters
         ----------
         radiance
-            (3,) or scalar, linear, ≥ 0.
+            (3,) or scalar, linear, 0..1e9.
         scale
-            Factor on the radiance, ≥ 0.
+            Factor on the radiance, 0..1e6.
 
         Raises
         ------
         ArgumentError
             If a value is out of range, or the radiance is not one number or three.
         """
-        colour = as_rgb("environment radiance", radiance, low=0.0).astype(np.float32)
-        return cls(np.ascontiguousarray(np.broadcast_to(colour, (16, 32, 3))), scale)
+        colour = as_rgb("environment radiance", radiance, low=0.0, high=LARGEST_RADIANCE)
+        return cls(
+            np.ascontiguousarray(np.broadcast_to(colour.astype(np.float32), (16, 32, 3))), scale
+        )
 
     @classmethod
     def studio(cls, *, scale: float = 1.0) -> Environment:
@@ -116,7 +136,7 @@ class Environment:
         Parameters
         ----------
         scale
-            Factor on the radiance, ≥ 0.
+            Factor on the radiance, 0..1e6.
         """
         height, width = WORK_SIZE[1], WORK_SIZE[0]
         directions = _grid_directions(height, width)
@@ -195,11 +215,14 @@ def _row_solid_angle(height: int) -> FloatArray:
 def _averaged(image: ImageArray, size: tuple[int, int]) -> FloatArray:
     """Return an image averaged by area to a size (width, height); the total light is kept."""
     height, width = image.shape[:2]
-    rows = _mean_between(image.astype(np.float64), _row_edges(height), _row_edges(size[1]))
-    columns = _mean_between(
-        rows.swapaxes(0, 1), np.linspace(0.0, 1.0, width + 1), np.linspace(0.0, 1.0, size[0] + 1)
-    )
-    return columns.swapaxes(0, 1)
+    edges, wanted = np.linspace(0.0, 1.0, width + 1), np.linspace(0.0, 1.0, size[0] + 1)
+    narrow = np.empty((height, size[0], 3))
+    for start in range(0, height, ROWS):  # float64 of the whole image would take twice its memory
+        rows = image[start : start + ROWS].astype(np.float64)
+        narrow[start : start + ROWS] = _mean_between(rows.swapaxes(0, 1), edges, wanted).swapaxes(
+            0, 1
+        )
+    return _mean_between(narrow, _row_edges(height), _row_edges(size[1]))
 
 
 def _row_edges(height: int) -> FloatArray:

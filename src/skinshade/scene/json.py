@@ -14,6 +14,7 @@ from .._core.arrays import ImageArray
 from .._core.errors import ArgumentError, SceneFileError
 from .._core.files import existing_file
 from .._core.json import parse_json
+from .._core.limits import check_limit
 from ..mesh import Mesh, load_mesh
 from ..params import SkinParams
 from ..params.choices import ToneCurve
@@ -70,6 +71,7 @@ def load_scene(path: str | os.PathLike[str], *, lights: Sequence[str] | None = N
     [[3.0, 3.0, 3.0]]
     """
     file = existing_file(path, SceneFileError)
+    check_limit("json_bytes", file.stat().st_size, str(file), SceneFileError)
     try:
         description = _parse(file.read_text(encoding="utf-8"))
         return _scene(description, file.parent, lights)
@@ -195,6 +197,7 @@ def _profile(profile: Any, material: Material) -> Profile:
         return Profile.preset(profile.name)
     fields = profile.model_dump(exclude={"kind"})
     if profile.kind == "gaussians":
+        check_limit("gaussians", len(profile.variances_mm2), "material.profile")
         return Profile.gaussians(**fields)
     if profile.kind == "dipole":
         return Profile.dipole(**fields)

@@ -5,10 +5,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from .._core.arrays import FloatArray, FloatVector, as_floats, as_rgb, dot, unit_vectors
+from .._core.arrays import (
+    LARGEST_LIGHT,
+    FloatArray,
+    FloatVector,
+    as_direction,
+    as_floats,
+    as_position,
+    as_rgb,
+    dot,
+    unit_vectors,
+)
 from .._core.errors import ArgumentError
-from .camera import direction_of, look_at, parallel, perspective
+from .camera import check_apart, direction_of, look_at, parallel, perspective
 
 __all__ = ["DirectionalLight", "Light", "SpotLight"]
 
@@ -19,6 +30,8 @@ FULL_SHARE = 0.8
 """Share of a spot light's cone, in angle, that has the full irradiance."""
 LEAST_DISTANCE_MM = 1.0
 """Least distance of the inverse square law, mm: real lights are not points."""
+LARGEST_AT_1_MM = 1e24
+"""Greatest irradiance of a spot light at `LEAST_DISTANCE_MM`; its light stays finite in float32."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +43,7 @@ class DirectionalLight:
     to_light
         (3,) direction towards the light; it is normalised.
     irradiance
-        (3,) irradiance on a surface that faces the light; π gives a white Lambert surface radiance 1.
+        (3,) irradiance on a surface that faces the light, 0..1e6; π gives a white Lambert surface radiance 1.
 
     Examples
     --------
@@ -43,11 +56,8 @@ class DirectionalLight:
     irradiance: FloatVector
 
     def __post_init__(self) -> None:
-        direction = as_floats("light to_light", self.to_light, (3,))
-        if not direction.any():
-            raise ArgumentError("light to_light is 0, 0, 0; it must be a direction")
-        object.__setattr__(self, "to_light", unit_vectors(direction))
-        object.__setattr__(self, "irradiance", as_rgb("light irradiance", self.irradiance, low=0.0))
+        object.__setattr__(self, "to_light", as_direction("light to_light", self.to_light))
+        object.__setattr__(self, "irradiance", _irradiance(self.irradiance))
 
     @classmethod
     def from_angles(cls, yaw_deg: float, pitch_deg: float, intensity: float) -> DirectionalLight:
@@ -60,14 +70,17 @@ class DirectionalLight:
         pitch_deg
             Degrees towards +y, −90..90.
         intensity
-            Irradiance over π, ≥ 0.
+            Irradiance over π, 0..1e6/π.
 
         Raises
         ------
         ArgumentError
-            If a value is not finite, or the intensity negative.
+            If a value is not finite, or the intensity is out of range.
         """
-        return cls(direction_of(yaw_deg, pitch_deg), np.full(3, np.pi * intensity))
+        value = as_floats("light intensity", intensity, ())
+        with np.errstate(over="ignore"):  # the irradiance is checked
+            irradiance = np.full(3, np.pi * value)
+        return cls(direction_of(yaw_deg, pitch_deg), irradiance)
 
     def turned(self, yaw_deg: float, pitch_deg: float) -> DirectionalLight:
         """Return the light turned as a camera is turned from the front by a yaw and a pitch, degrees."""
@@ -100,10 +113,10 @@ class SpotLight:
     Attributes
     ----------
     position_mm, target_mm
-        (3,) mm.
+        (3,) mm, each number within ±1e15; apart by 1e-9 mm and 1e-9 of the greatest number, or more.
     irradiance
-        (3,) irradiance at the target, on a surface that faces the light. It decreases with the square of
-        the distance.
+        (3,) irradiance at the target, on a surface that faces the light, 0..1e6. It decreases with the
+        square of the distance, and is 1e24 or less at 1 mm from the light.
     cone_deg
         Half angle at which the irradiance is 0, degrees, 1..80; within .8 of it the irradiance is full.
 
@@ -122,10 +135,16 @@ class SpotLight:
 
     def __post_init__(self) -> None:
         for name in ("position_mm", "target_mm"):
-            object.__setattr__(self, name, as_floats(f"light {name}", getattr(self, name), (3,)))
-        if np.array_equal(self.position_mm, self.target_mm):
-            raise ArgumentError(f"light: position and target are both {self.position_mm} mm")
-        object.__setattr__(self, "irradiance", as_rgb("light irradiance", self.irradiance, low=0.0))
+            object.__setattr__(self, name, as_position(f"light {name}", getattr(self, name)))
+        check_apart("light", self.position_mm, self.target_mm)
+        object.__setattr__(self, "irradiance", _irradiance(self.irradiance))
+        axis = self.position_mm - self.target_mm
+        close = float(self.irradiance.max() * dot(axis, axis) / LEAST_DISTANCE_MM**2)
+        if close > LARGEST_AT_1_MM:
+            raise ArgumentError(
+                f"light: its irradiance is {close:g} at 1 mm, because the target is"
+                f" {np.sqrt(dot(axis, axis)):g} mm away; it must be {LARGEST_AT_1_MM:g} or less"
+            )
         as_floats("light cone_deg", self.cone_deg, (), low=1.0, high=80.0)
 
     @property
@@ -154,13 +173,17 @@ class SpotLight:
         The sphere has a centre (3,) and a radius in mm.
         """
         distance = float(np.linalg.norm(centre_mm - self.position_mm))
-        near = max(distance - MARGIN * radius_mm, 1e-2 * distance)
+        near = max(distance - MARGIN * radius_mm, 1e-2 * distance, 1e-6 * radius_mm)
         axis = unit_vectors(self.position_mm - self.target_mm)
         view = look_at(self.position_mm, self.target_mm, _up(axis))
         return view, perspective(2.0 * self.cone_deg, 1.0, near, distance + MARGIN * radius_mm)
 
 
 Light = DirectionalLight | SpotLight
+
+
+def _irradiance(value: ArrayLike) -> FloatArray:
+    return as_rgb("light irradiance", value, low=0.0, high=LARGEST_LIGHT)
 
 
 def _up(direction: FloatArray) -> FloatArray:

@@ -14,26 +14,37 @@ __all__ = ["read_normal_map", "scale_slopes"]
 
 FACING_SHARE = 0.5
 """Least share of texels that face outwards in a tangent-space normal map."""
+STORED_RANGE = (-1.0, 2.0)
+"""Least and greatest stored value; a filter that sharpens a float map can go somewhat beyond 0..1."""
 
 
 def read_normal_map(path: str | os.PathLike[str]) -> ImageArray:
-    """Return tangent-space normals (H, W, 3) in −1..1, +y up, unit length, from an 8 or 16-bit map.
+    """Return tangent-space normals (H, W, 3) in −1..1, +y up, unit length, from a map that stores 0..1.
 
     Raises
     ------
     ImageFileError
-        If the file cannot be read, or most of its normals do not face outwards, as in a two-channel or
-        object-space map. A blur needs the third channel: it carries the relief that the blur removes.
+        If the file cannot be read, has values far beyond 0..1, or most of its normals do not face outwards,
+        as in a two-channel or object-space map. A blur needs the third channel: it carries the relief that
+        the blur removes.
     """
-    normals = read_image(path) * 2.0 - 1.0
-    if (normals[..., 2] > 0.0).mean() < FACING_SHARE:
+    normals = read_image(path)
+    smallest, greatest = float(normals.min()), float(normals.max())
+    if smallest < STORED_RANGE[0] or greatest > STORED_RANGE[1]:
+        raise ImageFileError(
+            f"{path}: not a normal map: its values reach from {smallest:g} to {greatest:g}, not 0 to 1"
+        )
+    normals *= 2.0
+    normals -= 1.0
+    if np.count_nonzero(normals[..., 2] > 0.0) < FACING_SHARE * normals[..., 2].size:
         raise ImageFileError(
             f"{path}: not a tangent-space normal map with three channels: most texels have blue below"
             " one half"
         )
-    length = np.sqrt(np.einsum("...i,...i->...", normals, normals))[..., None]
-    result: ImageArray = (normals / np.maximum(length, 1e-6)).astype(np.float32)
-    return result
+    for row in normals:  # row by row, which needs no memory for another image
+        length = np.sqrt(np.einsum("...i,...i->...", row, row))[..., None]
+        row /= np.maximum(length, np.float32(1e-6))
+    return normals
 
 
 def scale_slopes(normals: ImageArray, strength: float) -> ImageArray:

@@ -7,12 +7,25 @@ from typing import Any
 
 import numpy as np
 
-from .._core.arrays import ImageArray
+from .._core.arrays import ImageArray, as_floats
 from .._core.errors import ArgumentError
 from ..params import SkinParams
 from ..profile import Profile
 
 __all__ = ["Material"]
+
+MAP_RANGES = {
+    "albedo": ((-1e3, 1e3),) * 3,
+    "normal": ((-1.001, 1.001),) * 3,
+    "specular": ((0.0, 10.0), (0.0, 1.0)),
+    "deep_scatter": ((-1e3, 1e3),) * 3,
+}
+"""Least and greatest value of every channel of the maps. Half floats hold them, and light stays finite. Image
+files have colours somewhat below 0 and above 1, and rounded normals."""
+ALBEDO_RANGE = (1e-4, 0.9999)
+"""Least and greatest albedo of the profile: light through the body is divided by it."""
+RADIUS_RANGE_MM = (1e-5, 1e4)
+"""Least and greatest root mean square radius of the scaled profile, mm."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -22,19 +35,20 @@ class Material:
     Attributes
     ----------
     profile
-        Diffusion profile.
+        Diffusion profile, with an albedo of 1e-4..0.9999, and a root mean square radius of 1e-5..1e4 mm
+        after it is scaled.
     params
         Parameters that all pixels share.
     albedo
-        (H, W, 3) linear, or (1, 1, 3) for one colour.
+        (H, W, 3) linear, or (1, 1, 3) for one colour; physical values are 0..1, and ±1000 is accepted.
     normal
         (H, W, 3) tangent-space normals in −1..1, +y up in the picture; None for the mesh's normals.
     specular
-        (H, W, 2) factor on the reflectance, and gloss 0..1; None for the values of `params`.
+        (H, W, 2) factor on the reflectance 0..10, and gloss 0..1; None for the values of `params`.
     name
         Name of the material in its file; may be empty.
     deep_scatter
-        (H, W, 3) linear tint of light that comes through the body, 0..1; None for white.
+        (H, W, 3) linear tint of light that comes through the body, 0..1, within ±1000; None for white.
 
     Examples
     --------
@@ -54,16 +68,25 @@ class Material:
     name: str = ""
 
     def __post_init__(self) -> None:
-        for name, channels in (("albedo", 3), ("normal", 3), ("specular", 2), ("deep_scatter", 3)):
-            image = getattr(self, name)
-            if image is None:
-                continue
-            if image.ndim != 3 or image.shape[2] != channels or 0 in image.shape:
+        for name, image in self._maps().items():
+            ranges = MAP_RANGES[name]
+            if image.ndim != 3 or image.shape[2] != len(ranges) or 0 in image.shape:
                 raise ArgumentError(
-                    f"material {name}: shape is {image.shape}; it must be (H, W, {channels})"
+                    f"material {name}: shape is {image.shape}; it must be (H, W, {len(ranges)})"
                 )
-            if not np.isfinite(image).all():
-                raise ArgumentError(f"material {name}: all values must be finite")
+            ends = zip(image.min(axis=(0, 1)), image.max(axis=(0, 1)), ranges, strict=True)
+            for channel, (smallest, greatest, (low, high)) in enumerate(ends):
+                if not (smallest >= low and greatest <= high):  # false for NaN
+                    raise ArgumentError(
+                        f"material {name}: all values must be finite, and lie in [{low:g}, {high:g}] in"
+                        f" channel {channel}, which reaches from {smallest:g} to {greatest:g}"
+                    )
+        radius_mm = self.profile.rms_radius_mm * self.params.scatter_scale
+        for name, values, (least, most) in (
+            ("albedo", self.profile.albedo, ALBEDO_RANGE),
+            ("scaled rms_radius_mm", radius_mm, RADIUS_RANGE_MM),
+        ):
+            as_floats(f"material profile: {name}", values, low=least, high=most)
 
     @property
     def has_maps(self) -> bool:
@@ -80,8 +103,7 @@ class Material:
         return replace(self, **maps)
 
     def _maps(self) -> dict[str, ImageArray]:
-        names = ("albedo", "normal", "specular", "deep_scatter")
-        maps = {name: getattr(self, name) for name in names}
+        maps = {name: getattr(self, name) for name in MAP_RANGES}
         return {name: image for name, image in maps.items() if image is not None}
 
     def __repr__(self) -> str:

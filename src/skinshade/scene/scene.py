@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from .._core.arrays import FloatVector, as_floats, as_rgb
+from .._core.arrays import LARGEST_LIGHT, FloatVector, as_floats, as_positions, as_rgb
 from .._core.errors import ArgumentError
+from .._core.limits import check_limit
 from .._core.notebook import table_html
 from ..mesh import Mesh
 from ..params.choices import ToneCurve
@@ -20,6 +21,12 @@ from .part import Part
 
 __all__ = ["Scene"]
 
+LARGEST_UV = 1e9
+"""Greatest texture coordinate; float32 has no digits left for texels far below it."""
+LARGEST_CURVATURE_PER_MM = 1e12
+"""Greatest curvature and entry of a shape operator among the attributes of a mesh, 1/mm; products of greater
+values overflow float32."""
+
 
 @dataclass(frozen=True, repr=False)
 class Scene:
@@ -28,19 +35,20 @@ class Scene:
     Attributes
     ----------
     mesh
-        Geometry.
+        Geometry: positions within ±1e15 mm, UVs within ±1e9, and curvatures in its attributes within
+        ±1e12/mm.
     camera
         Point of view.
     material
         Skin of the body.
     lights
-        Lights that cast shadows.
+        Lights that cast shadows; the limit ``lights`` of `skinshade.Limits` applies.
     environment
         Light from the surroundings, or None.
     background
-        (3,) linear radiance behind the body, unless the environment is visible.
+        (3,) linear radiance behind the body, unless the environment is visible, 0..1e6.
     exposure
-        Factor on light before the tone curve, ≥ 0.
+        Factor on light before the tone curve, 0..1e6.
     tone
         Tone curve, ``filmic`` or ``srgb``.
     parts
@@ -65,12 +73,15 @@ class Scene:
     parts: tuple[Part, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "background", as_rgb("background", self.background, low=0.0))
-        as_floats("exposure", self.exposure, (), low=0.0)
+        background = as_rgb("background", self.background, low=0.0, high=LARGEST_LIGHT)
+        object.__setattr__(self, "background", background)
+        as_floats("exposure", self.exposure, (), low=0.0, high=LARGEST_LIGHT)
+        check_limit("lights", len(self.lights), "scene")
         object.__setattr__(self, "tone", ToneCurve.of(self.tone, "tone"))
         materials = [self.material, *(part.material for part in self.parts)]
         if self.mesh.uvs is None and any(material.has_maps for material in materials):
             raise ArgumentError("the mesh has no UVs, which the maps of the material need")
+        _check_mesh(self.mesh)
         self._check_parts()
 
     def _check_parts(self) -> None:
@@ -120,3 +131,16 @@ class Scene:
             "tone curve": f"{self.tone.value}, exposure {self.exposure:g}",
         }
         return table_html("Scene", rows)
+
+
+def _check_mesh(mesh: Mesh) -> None:
+    """Raise if values at the vertices of a mesh are beyond what both backends can compute with."""
+    count = len(mesh.positions)
+    as_positions("mesh: positions_mm", mesh.positions_mm)
+    if mesh.uvs is not None:
+        as_floats("mesh: uvs", mesh.uvs, (count, 2), low=-LARGEST_UV, high=LARGEST_UV)
+    shapes: dict[str, tuple[int, ...]] = {"curvature": (count,), "tensor": (count, 6)}
+    most = LARGEST_CURVATURE_PER_MM
+    for name, shape in shapes.items():
+        if name in mesh.attributes:
+            as_floats(f"mesh: {name}", mesh.attributes[name], shape, low=-most, high=most)

@@ -10,12 +10,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, create_model
 
+from .._core.arrays import LARGEST_LIGHT, LARGEST_POSITION
 from ..params import SkinParams
 from ..params.fields import meaning
 
 __all__ = ["SceneFile", "json_schema"]
-
-LARGEST_LENGTH = 1e15
 
 
 def _whole(value: Any) -> Any:
@@ -29,8 +28,8 @@ class _Model(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
-Number = Annotated[float, Field(ge=-LARGEST_LENGTH, le=LARGEST_LENGTH)]
-Factor = Annotated[float, Field(ge=0.0, le=1e6)]
+Number = Annotated[float, Field(ge=-LARGEST_POSITION, le=LARGEST_POSITION)]
+Factor = Annotated[float, Field(ge=0.0, le=LARGEST_LIGHT)]
 Share = Annotated[float, Field(ge=0.0, le=1.0)]
 Vector = tuple[Number, Number, Number]
 Light3 = tuple[Factor, Factor, Factor]

@@ -8,8 +8,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from skinshade._core.errors import ArgumentError
-from skinshade._core.json import DEEPEST, parse_json
+from skinshade._core.json import parse_json
+from skinshade._core.limits import DEEPEST, Limits, use_limits
 
+DEPTH = Limits().json_depth
 NUMBERS = st.integers(-(10**30), 10**30) | st.floats(allow_nan=False, allow_infinity=False)
 LEAVES = st.none() | st.booleans() | NUMBERS | st.text()
 VALUES = st.recursive(
@@ -48,7 +50,7 @@ def test_equal_keys_of_different_objects_are_allowed():
     assert parse_json(text) == json.loads(text)
 
 
-@pytest.mark.parametrize("levels", [1, 2, DEEPEST - 1, DEEPEST])
+@pytest.mark.parametrize("levels", [1, 2, DEPTH - 1, DEPTH])
 @pytest.mark.parametrize("innermost", ["0", '"text"', "null"])
 def test_nesting_to_the_limit_is_read(levels, innermost):
     text = nested(levels, innermost)
@@ -99,19 +101,33 @@ def test_a_long_number_and_a_long_key_are_cut_in_the_message():
     assert len(str(caught.value)) < 100
 
 
-@pytest.mark.parametrize("levels", [DEEPEST + 1, 500, 100_000])
+@pytest.mark.parametrize("levels", [DEPTH + 1, 500, 1000, 100_000])
 @pytest.mark.parametrize("opening", ["[", '{"a":', '[[{"a":'])
 def test_deeper_nesting_is_refused(levels, opening):
     closing = "".join({"[": "]", "{": "}"}[c] for c in reversed(opening) if c in "[{")
     copies = -(-levels // len(closing))
-    with pytest.raises(ArgumentError, match=r"nests deeper than 128|not JSON"):
+    with pytest.raises(ArgumentError, match=r"it nests .* deep.*; the limit json_depth is 128"):
         parse_json(opening * copies + "0" + closing * copies)
 
 
-@pytest.mark.parametrize("levels", [DEEPEST + 1, DEEPEST + 2])
-def test_the_message_states_the_greatest_depth(levels):
-    with pytest.raises(ArgumentError, match=f"deeper than {DEEPEST} levels"):
+@pytest.mark.parametrize("levels", [DEPTH + 1, DEEPEST])
+def test_the_message_states_the_depth_and_how_to_raise_the_limit(levels):
+    advice = rf"the limit json_depth is {DEPTH} \(--limit json_depth={levels} or"
+    with pytest.raises(ArgumentError, match=f"it nests {levels} levels deep; {advice}"):
         parse_json(nested(levels))
+    with use_limits(json_depth=levels):
+        assert parse_json(nested(levels)) == json.loads(nested(levels))
+
+
+def test_text_beyond_its_limits_is_refused_before_it_is_parsed():
+    with use_limits(json_bytes=10):
+        assert parse_json("[1, 2, 3 ]") == [1, 2, 3]
+        with pytest.raises(ArgumentError, match="its JSON: 11 bytes; the limit json_bytes is 10"):
+            parse_json("[1, 2, 3, x")
+    with use_limits(json_values=4):
+        assert parse_json('[1, 2, {"a": 3}]')
+        with pytest.raises(ArgumentError, match="its JSON: 5 values; the limit json_values is 4"):
+            parse_json('[1, 2, {"a": 3}, x')
 
 
 @pytest.mark.parametrize(

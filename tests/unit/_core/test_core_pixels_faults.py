@@ -14,8 +14,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinshade._core.errors import ArgumentError, ImageFileError, LutFileError, OutputError
-from skinshade._core.pixels import LARGEST_SIDE, MOST_PIXELS, read_pixels, write_pixels
+from skinshade._core.limits import Limits
+from skinshade._core.pixels import read_pixels, write_pixels
 
+SIDE, PIXELS, FREE = Limits().image_side, Limits().image_pixels, Limits().image_free_pixels
 AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
 
@@ -57,9 +59,9 @@ NOT_IMAGES = {
     "half-a-row.png": png_of_size(4, 4, b"\x00" * 20),
     "no-data.hdr": hdr_of_size(4, 4),
     "huge.png": png_of_size(2**31 - 1, 2**31 - 1),
-    "long.png": png_of_size(LARGEST_SIDE + 1, 1, bytes(3 * LARGEST_SIDE + 4)),
-    "large.png": png_of_size(LARGEST_SIDE, LARGEST_SIDE),
-    "large.hdr": hdr_of_size(LARGEST_SIDE, LARGEST_SIDE),
+    "long.png": png_of_size(SIDE + 1, 1, bytes(3 * SIDE + 4)),
+    "large.png": png_of_size(SIDE, SIDE),
+    "large.hdr": hdr_of_size(SIDE, SIDE),
 }
 
 
@@ -79,17 +81,29 @@ def test_a_file_that_is_no_image_is_named_in_a_message_of_one_line(tmp_path, nam
 
 
 def test_an_image_with_the_longest_allowed_side_is_read(tmp_path):
-    rows = bytes(3 * LARGEST_SIDE + 1)
-    (tmp_path / "long.png").write_bytes(png_of_size(LARGEST_SIDE, 1, rows))
-    assert read_pixels(tmp_path / "long.png", ImageFileError)[0].shape == (1, LARGEST_SIDE, 3)
+    rows = bytes(3 * SIDE + 1)
+    (tmp_path / "long.png").write_bytes(png_of_size(SIDE, 1, rows))
+    assert read_pixels(tmp_path / "long.png", ImageFileError)[0].shape == (1, SIDE, 3)
 
 
 @pytest.mark.parametrize(
-    ("width", "height"), [(LARGEST_SIDE + 1, 1), (LARGEST_SIDE, MOST_PIXELS // LARGEST_SIDE + 1)]
+    ("width", "height", "limit", "needed"),
+    [
+        (SIDE + 1, 1, "image_side", SIDE + 1),
+        (SIDE, PIXELS // SIDE + 1, "image_pixels", SIDE + PIXELS),
+        (8192, 8192, "image_free_pixels", 8192**2 - 1024 * 65),
+    ],
 )
-def test_an_implausible_size_is_an_error_that_states_it(tmp_path, width, height):
+def test_an_implausible_size_is_an_error_that_states_it_and_the_limit(
+    tmp_path, width, height, limit, needed
+):
     (tmp_path / "big.png").write_bytes(png_of_size(width, height))
-    assert f"claims {width}×{height} pixels; too large" in error_message(tmp_path / "big.png")
+    assert (tmp_path / "big.png").stat().st_size == 65
+    message = error_message(tmp_path / "big.png")
+    assert f"claims {width}×{height} pixels" in message
+    assert (
+        f"the limit {limit} is {getattr(Limits(), limit)} (--limit {limit}={needed} or" in message
+    )
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="needs a limit on memory")

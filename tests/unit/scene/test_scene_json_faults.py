@@ -339,8 +339,10 @@ def test_a_file_name_that_is_too_long_for_the_system_is_named(folder, field, kin
         ('{"skinshade": "\\ud800"}', "the file: Invalid JSON"),
         ('{"skinshade": ' + "1" * 5000 + "}", "not JSON"),
         ("\ufeff{}", "not JSON"),
-        ("[" * 200 + "]" * 200, "it nests deeper"),
-        ("[" * 100_000, "not JSON"),
+        ("[" * 200 + "]" * 200, "it nests 200 levels deep; the limit json_depth is 128"),
+        ("[" * 1000 + "]" * 1000, "it nests too deep to be read; the limit json_depth is 128"),
+        ('{"a": ' * 1000 + "1" + "}" * 1000, "it nests too deep to be read"),
+        ("[" * 100_000, "it nests too deep to be read"),
     ],
     ids=lambda text: ascii(text)[:24],
 )

@@ -193,7 +193,7 @@ fn fragment_main(@invariant @builtin(position) clip_0 : vec4<f32>) -> pixelOutpu
     var color_1 : vec3<f32>;
     if(STAGE_0 == i32(2))
     {
-        color_1 = skin_srgb_from_linear_0(color_0 * vec3<f32>(frame_block_0.exposure_0));
+        color_1 = skin_srgb_from_linear_0(min(color_0 * vec3<f32>(frame_block_0.exposure_0), vec3<f32>(1.0e+06f)));
     }
     else
     {
@@ -201,7 +201,7 @@ fn fragment_main(@invariant @builtin(position) clip_0 : vec4<f32>) -> pixelOutpu
     }
     if(STAGE_0 == i32(3))
     {
-        color_1 = skin_filmic_0(color_1 * vec3<f32>(frame_block_0.exposure_0));
+        color_1 = skin_filmic_0(min(color_1 * vec3<f32>(frame_block_0.exposure_0), vec3<f32>(1.0e+06f)));
     }
     else
     {
