@@ -253,7 +253,7 @@ def write_pixels(
         )
         # A full disk is reported only as an error text: every call returns True. TIFF has such texts
         # also for complete files.
-        reason = _reason(out or oiio)
+        reason = _reason(out or oiio).partition("; ")[0]  # the others are of later blocks
         if not written or (reason and Path(path).suffix.lower() in TYPES_HELD):
             raise OutputError(f"{Path(path)}: cannot write it ({reason or 'unknown error'})")
 
@@ -324,8 +324,8 @@ def _description(file: Path, spec: Any, error: type[FileError]) -> str:
 
 
 def _reason(source: Any) -> str:
-    """Return the first error of an OpenImageIO object; empty without an error."""
+    """Return the errors of an OpenImageIO object in one line, each once; empty without an error."""
     try:
-        return str(source.geterror()).strip().partition("\n")[0].strip()
+        return "; ".join(dict.fromkeys(str(source.geterror()).strip().splitlines()))
     except UnicodeDecodeError:  # the message quotes bytes of a corrupt file
         return "its header is corrupt"
