@@ -20,33 +20,41 @@ def _span(ends: tuple[float, float]) -> str:
     return f"{ends[0]:g} to {ends[1]:g}"
 
 
+def _map_range(name: str, channel: int = 0) -> str:
+    return _span(MAP_RANGES[name][channel])
+
+
 HEAD = """# Limits
 
-Generated from `skinshade.Limits` and the constants of `scene/` by `python -m codegen`. A file or request beyond a limit is refused with an error that
-names the limit, before memory is allocated or long work begins. The error also says how to raise the limit:
+Generated from `skinshade.Limits` and the constants of `scene/` by `python -m codegen`. A file or request
+beyond a limit is refused before memory is allocated or long work begins. The error names the limit and its
+value, and says how to raise it:
 
 ```sh
 skinshade render head.glb --limit image_pixels=600000000 --limit lights=100
 skinshade bake assets/ -o baked/ --jobs 4 --limit triangles=200000000
 ```
 
-In Python, `with skinshade.use_limits(image_pixels=600_000_000):` applies other limits to its body, in the same thread
-and in asynchronous tasks that it starts. A thread that the body starts has the default limits. The jobs of
-`skinshade bake` carry their limits to other processes and machines. `skinshade.limits()` returns the limits that apply.
+In Python, `with skinshade.use_limits(image_pixels=600_000_000):` applies other limits to its body, in the same
+thread and in asynchronous tasks that it starts. A thread that the body starts has the default limits. The jobs
+of `skinshade bake` carry their limits to other processes and machines. `skinshade.limits()` returns the limits
+that apply.
 
-An image of *n* bytes may have `image_free_pixels` + `image_pixels_per_byte` · *n* pixels, and `image_pixels` at most.
-A flat 4096×4096 image is accepted at any file size, and so is every 8-bit PNG file without a palette up to 16384×16384:
-its compression never exceeds the factor. Bitmaps of one bit and flat images in lossless WebP compress more, and are
-refused above 4096×4096. The rule for the accessors of glTF documents has the same form.
+An image of *n* bytes may have `image_free_pixels` + `image_pixels_per_byte` · *n* pixels, and `image_pixels`
+at most. A flat 4096×4096 image is accepted at any file size, and so is every PNG file with 8 bits per channel
+and no palette up to 16384×16384, because its compression never exceeds the factor. Bitmaps of one bit, and flat
+images in lossless WebP, compress more and are refused well above 4096×4096. The rule for the accessors of glTF
+documents has the same form.
 
-Reading a file takes little more memory than its result: an 8192×8192 map is 0.75 GiB of linear light in float32, and
-reading it from 8-bit PNG takes 0.8 GiB.
+Reading an image takes little more memory than its result: an 8192×8192 map in PNG, 8 bits per channel, takes
+0.8 GiB, and the result 0.75 GiB, as linear light in float32.
+
 """
 RANGES = f"""
 ## Ranges of a scene
 
-Values outside these ranges are errors too. Light, its factors and materials multiply; within the ranges, the products
-are finite in single precision, and no picture contains NaN or infinity.
+Values outside these ranges are errors too. Light, its factors and materials multiply; within the ranges, the
+products are finite in single precision, and no picture contains NaN or infinity.
 
 | value | range |
 |---|---|
@@ -59,8 +67,8 @@ are finite in single precision, and no picture contains NaN or infinity.
 | scale of an environment, exposure | 0 to {LARGEST_LIGHT:g} |
 | texture coordinates | ±{LARGEST_UV:g} |
 | baked curvature and shape operator | ±{LARGEST_CURVATURE_PER_MM:g} /mm |
-| albedo and deep scatter maps | {_span(MAP_RANGES["albedo"][0])}; physical values are 0 to 1 |
-| specular map | reflectance factor {_span(MAP_RANGES["specular"][0])}, gloss {_span(MAP_RANGES["specular"][1])} |
+| albedo and deep scatter maps | {_map_range("albedo")}; physical values are 0 to 1 |
+| specular map | factor on the reflectance {_map_range("specular")}, gloss {_map_range("specular", 1)} |
 | albedo of a diffusion profile | {_span(ALBEDO_RANGE)} |
 | root mean square radius of a scaled profile | {_span(RADIUS_RANGE_MM)} mm |
 
@@ -83,8 +91,9 @@ def limits_page() -> str:
 
 
 def _rows() -> Iterator[tuple[str, int, LimitMeaning]]:
+    defaults = Limits()
     for entry in fields(Limits):
-        yield entry.name, entry.default, entry.metadata["meaning"]
+        yield entry.name, getattr(defaults, entry.name), entry.metadata["meaning"]
 
 
 def _number(value: int) -> str:
