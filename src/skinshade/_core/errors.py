@@ -18,8 +18,11 @@
     ├── DependencyError                an optional library that is not installed (also an ImportError)
     └── DownloadError                  an asset that could not be downloaded, or has a wrong hash
 
-A message names the file or the argument, the index and the value at fault, and what to do.
+A message names the file or the argument, the index and the value at fault, and what to do. Parts of it come
+from files: characters that are unsafe to display become escapes, and a long message loses its middle.
 """
+
+from .text import printable, shortened
 
 __all__ = [
     "ArgumentError",
@@ -42,11 +45,31 @@ __all__ = [
     "UnitWarning",
 ]
 
+LONGEST_MESSAGE = 1000
+"""Most characters of a message: about ten lines of a terminal."""
+
+
+def _displayable(message: str, longest: int, keep: str = "") -> str:
+    text = printable(shortened(str(message), longest), keep)
+    return shortened(text, longest)  # replacements are longer than the characters
+
 
 class SkinshadeError(Exception):
-    """Base class of all errors that skinshade raises."""
+    """Base class of all errors that skinshade raises.
+
+    Parameters
+    ----------
+    message
+        Text to display.
+    """
 
     exit_code = 1
+    longest_message = LONGEST_MESSAGE
+    line_breaks = ""
+    """Unsafe characters that stay in a message."""
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(_displayable(message, self.longest_message, self.line_breaks))
 
 
 class InputError(SkinshadeError):
@@ -90,6 +113,9 @@ class MeshError(InputError):
 class ShaderError(InputError):
     """A user's shader does not compile, or its declarations differ from the library's."""
 
+    longest_message = 100_000  # the log of a compiler
+    line_breaks = "\n\t"
+
 
 class OutputError(InputError):
     """A file or folder cannot be written."""
@@ -108,7 +134,16 @@ class DownloadError(SkinshadeError):
 
 
 class SkinshadeWarning(UserWarning):
-    """Base class of all warnings of skinshade, which the program prints."""
+    """Base class of all warnings of skinshade, which the program prints.
+
+    Parameters
+    ----------
+    message
+        Text to display.
+    """
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(_displayable(message, LONGEST_MESSAGE))
 
 
 class AssetWarning(SkinshadeWarning):

@@ -1,4 +1,4 @@
-"""Names of files in records and reports: relative to their folders, and safe to display."""
+"""Names of files in records and reports, relative to their folders."""
 
 from __future__ import annotations
 
@@ -6,15 +6,9 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
-__all__ = ["is_local_name", "printable", "without_folders"]
+from .._core.text import printable
 
-UNSAFE = re.compile(
-    "[\x00-\x1f\x7f-\x9f\u2028\u2029"  # control characters and line separators
-    "\u202a-\u202e\u2066-\u2069"  # embeddings, overrides and isolates of bidirectional text
-    "\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]"  # lone surrogates and noncharacters
-)
-"""Characters that are invisible, change the order of other characters, or cannot be written."""
-REPLACEMENT = "\ufffd"
+__all__ = ["is_local_name", "without_folders"]
 
 
 def is_local_name(name: str) -> bool:
@@ -51,8 +45,8 @@ def without_folders(message: str, folders: Iterable[Path]) -> str:
         for folder in folders
         for path in (folder, folder.resolve())
         if path.name not in ("", "..")
-        # Errors of the operating system quote their file.
-        for form in (str(path), repr(str(path))[1:-1])
+        # Errors of the operating system quote their file; other errors replace unsafe characters.
+        for form in (str(path), repr(str(path))[1:-1], printable(str(path)))
     }
     for form in sorted(forms, key=len, reverse=True):
         start = r"(?<![\w.~-])" if Path(form).is_absolute() else r"(?<![\w.~/\\-])"
@@ -61,23 +55,3 @@ def without_folders(message: str, folders: Iterable[Path]) -> str:
         name = Path(form).name.replace("\\", r"\\")
         message = re.sub(rf"{start}{re.escape(form)}(?![\w.~-])", name, message)
     return message
-
-
-def printable(text: str) -> str:
-    r"""Return a text with visible replacements for characters that are unsafe to display.
-
-    Control characters and characters that reorder text become escapes. Lone surrogates, which stand for
-    bytes that are not UTF-8, become U+FFFD. Every result can be written as UTF-8.
-
-    Examples
-    --------
-    >>> print(printable("two\nlines \udcff"))
-    two\nlines �
-    """
-    return UNSAFE.sub(_replacement, text)
-
-
-def _replacement(match: re.Match[str]) -> str:
-    character = match[0]
-    is_text = not 0xD800 <= ord(character) < 0xE000
-    return character.encode("unicode_escape").decode("ascii") if is_text else REPLACEMENT

@@ -15,10 +15,11 @@ from pathlib import Path
 from urllib.parse import quote
 
 from .._core.files import atomic_write
+from .._core.text import printable
 from .._core.version import __version__
 from ..rendering.settings import CURVATURE_RANGE_PER_MM, THICKNESS_RANGE_MM
 from .jobs import Job, JobResult, status_counts
-from .names import printable, without_folders
+from .names import without_folders
 from .records import MeshRecord
 from .thumbnails import SIZE
 
@@ -124,7 +125,9 @@ def _source_hash(script: str) -> str:
 
 def _error(job: Job, result: JobResult) -> str:
     """Return the error of a result without the folders of the machine."""
-    message = result.error.replace(str(job.source), job.source_name)
+    # The messages of errors of skinshade have replacements for unsafe characters already.
+    source, name = printable(str(job.source)), printable(job.source_name)
+    message = printable(result.error).replace(source, name)
     return without_folders(message, (job.source_folder, job.output_folder))
 
 
@@ -159,7 +162,7 @@ def _failure_section(failures: list[tuple[Job, JobResult]]) -> list[str]:
         return []
     groups: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
     for job, result in failures:
-        reason = _error(job, result).removeprefix(f"{job.source_name}: ")
+        reason = _error(job, result).removeprefix(f"{printable(job.source_name)}: ")
         if len(reason) > LONGEST_ERROR:
             reason = f"{reason[:LONGEST_ERROR]} …"
         groups[VALUES.sub("…", reason)].append((job.source_name, reason))

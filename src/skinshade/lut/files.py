@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import os
 import struct
+import sys
 import zipfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._core.arrays import ImageArray, as_floats
 from .._core.errors import ArgumentError, LutFileError
@@ -131,7 +133,7 @@ def _read_npz(file: Path) -> tuple[ImageArray, Any]:
             np.errstate(over="ignore"),  # the table is checked
         ):
             return np.asarray(arrays["values"], np.float32), _parse(
-                file, str(arrays["description"])
+                file, _array_text(arrays["description"])
             )
     except LutFileError:
         raise
@@ -163,3 +165,21 @@ def _array_header(archive: zipfile.ZipFile, name: str) -> tuple[tuple[int, ...],
         }
         shape, _, kind = readers[version](stream)
     return shape, kind
+
+
+def _array_text(array: NDArray[Any]) -> str:
+    """Return the text of an array (), whose code points NumPy does not check.
+
+    Raises
+    ------
+    ArgumentError
+        If the array does not hold one text, or a code point is beyond Unicode.
+    """
+    if array.dtype.kind != "U" or array.shape != ():
+        raise ArgumentError(f"its description has type {array.dtype} and shape {array.shape}")
+    codes = np.frombuffer(array.tobytes(), dtype=np.uint32)
+    if codes.size and codes.max() > sys.maxunicode:
+        raise ArgumentError(
+            f"its description has the code point {codes.max()}, which is no character"
+        )
+    return str(array)

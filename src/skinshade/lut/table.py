@@ -47,6 +47,8 @@ class Axis:
     spacing: Spacing = "linear"
 
     def __post_init__(self) -> None:
+        if not (isinstance(self.name, str) and isinstance(self.unit, str)):
+            raise ArgumentError(f"axis {self.name!r}: name and unit must be text")
         if self.spacing not in get_args(Spacing):
             raise ArgumentError(
                 f"axis {self.name}: spacing is {self.spacing!r}; it must be linear or sqrt"
@@ -116,6 +118,10 @@ class Lut:
         if self.values.ndim != 3 or self.values.shape[2] != 3 or min(self.values.shape) < 2:
             raise ArgumentError(
                 f"values: shape is {self.values.shape}; it must be (H, W, 3) with H and W 2 or more"
+            )
+        if not isinstance(self.provenance, Mapping):
+            raise ArgumentError(
+                f"provenance is {self.provenance!r}; it must be a mapping of names to values"
             )
         if not np.isfinite(self.values).all():
             raise ArgumentError("values: all values must be finite")

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 import shapes
 from skinshade._core.pixels import read_pixels
+from skinshade._core.text import printable
 from skinshade.baking.analysis import BakedMesh, analyse
 from skinshade.baking.jobs import Job, JobResult, failure, plan_jobs, run_job
-from skinshade.baking.names import printable
 from skinshade.baking.records import MeshRecord
 from skinshade.baking.report import write_page, write_report
 from skinshade.baking.settings import BakeSettings

@@ -13,6 +13,7 @@ from skinshade._core.errors import (
     MeshFileError,
     SceneFileError,
 )
+from skinshade._core.text import printable
 from skinshade.scene import load_scene
 from skinshade.scene.images import write_png
 
@@ -304,7 +305,7 @@ def test_a_file_that_cannot_be_used_is_named(folder, field, value, kind, reason)
     with pytest.raises(FileError) as caught:
         load_scene(write(folder, changed(field, value)))
     assert type(caught.value) is kind
-    assert str(caught.value).startswith(f"{folder / name}: ")
+    assert str(caught.value).startswith(f"{folder / printable(name)}: ")
     assert re.search(reason, str(caught.value))
 
 
@@ -323,7 +324,7 @@ def test_a_file_name_that_is_too_long_for_the_system_is_named(folder, field, kin
     with pytest.raises(FileError) as caught:
         load_scene(file)
     assert type(caught.value) is kind
-    assert str(caught.value).startswith(f"{folder / name}: ")
+    assert str(caught.value).startswith(f"{folder / printable(name)}: ")
 
 
 @pytest.mark.parametrize(
