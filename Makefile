@@ -3,8 +3,10 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 OUT := out
+SECONDS ?= 600
+SEED ?= 0
 
-.PHONY: demo test test-lowest check bench shaders native sanitize wheel wheels clean
+.PHONY: demo test test-lowest check bench fuzz shaders native sanitize wheel wheels clean
 
 demo: $(VENV)/.ready
 	@mkdir -p $(OUT)
@@ -31,6 +33,10 @@ bench: $(VENV)/.tools
 	$(BIN)/python benchmarks/bake_scale.py
 	$(BIN)/python benchmarks/gpu_cost.py
 	$(BIN)/python benchmarks/gpu_instructions.py
+
+# Changed files for every reader: `make fuzz SECONDS=60 SEED=3`. Findings are written to fuzz/findings.
+fuzz: $(VENV)/.ready
+	$(BIN)/python -m fuzz --seconds $(SECONDS) --seed $(SEED)
 
 # Generated files of src/skinshade/shading/generated and docs; a test proves that they are current.
 shaders: $(VENV)/.tools

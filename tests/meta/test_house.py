@@ -19,8 +19,10 @@ from skinshade._core import errors
 from tolerances import Tolerance
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("src", "codegen", "tests", "benchmarks", "tools", "examples")
+FOLDERS = ("src", "codegen", "fuzz", "tests", "benchmarks", "tools", "examples")
 TEXT = {".py", ".md", ".toml", ".bib", ".json", ".slang", ".yml", ".txt", ".cfg", ""}
+GENERATED = {"__pycache__", "findings"}
+"""Folders of files that no commit has."""
 MOST_LINES = 400
 MACHINE_PATH = re.compile(r"(?<![\w.~/-])/(?:work|home|tmp|root|Users|mnt|opt)(?:/|\b)|\b[A-Z]:\\")
 CHECKS = re.compile(r"^(?:pytest\.(?:raises|warns|fail)|np\.testing\.\w+|assert_\w+)$")
@@ -47,7 +49,7 @@ def text_files():
     everything = [*(ROOT / name for name in ("docs", ".ci", *FOLDERS)), ROOT]
     for folder in everything:
         for path in sorted(folder.rglob("*") if folder != ROOT else folder.iterdir()):
-            if path.is_file() and path.suffix in TEXT and "__pycache__" not in path.parts:
+            if path.is_file() and path.suffix in TEXT and GENERATED.isdisjoint(path.parts):
                 yield path
 
 

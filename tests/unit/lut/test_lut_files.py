@@ -280,3 +280,46 @@ def test_a_failed_write_names_the_file_and_keeps_the_old_one(tmp_path, deon, suf
     assert str(target) in str(caught.value)
     assert target.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [target]
+
+
+def with_description(folder, description):
+    """Write an npz table whose description is an array."""
+    file = folder / "table.npz"
+    np.savez(file, values=np.zeros((2, 2, 3), np.float32), description=description)
+    return file
+
+
+def test_a_description_beyond_unicode_is_refused(tmp_path):
+    """NumPy makes a broken string of such code points, which no other code can handle."""
+    text = np.frombuffer(np.array([0x7B, 0x21000061, 0x7D], "<u4").tobytes(), "<U3")[0:1].reshape(
+        ()
+    )
+    with pytest.raises(LutFileError, match="the code point 553648225, which is no character"):
+        Lut.load(with_description(tmp_path, text))
+
+
+@pytest.mark.parametrize("description", [np.array(["{}"]), np.array(3.0), np.array(b"{}")])
+def test_a_description_that_is_no_text_is_refused(tmp_path, description):
+    with pytest.raises(LutFileError, match="its description has type"):
+        Lut.load(with_description(tmp_path, description))
+
+
+def test_a_deeply_nested_description_is_refused(tmp_path):
+    with pytest.raises(LutFileError):
+        Lut.load(with_description(tmp_path, np.array("[" * 100_000)))
+
+
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        ({"provenance": 3}, "provenance is 3; it must be a mapping"),
+        ({"provenance": ["ab"]}, "provenance is .'ab'.; it must be a mapping"),
+        ({"rows": {"name": [1], "unit": "1", "low": 0, "high": 1}}, "name and unit must be text"),
+        ({"rows": {"name": "a", "unit": None, "low": 0, "high": 1}}, "name and unit must be text"),
+    ],
+)
+def test_a_description_with_values_of_wrong_types_is_refused(tmp_path, entry, message):
+    axis = {"name": "a", "unit": "1", "low": 0.0, "high": 1.0}
+    content = {"kind": "shadow", "columns": axis, "rows": axis, "provenance": {}} | entry
+    with pytest.raises(LutFileError, match=message):
+        Lut.load(with_description(tmp_path, np.array(json.dumps(content))))
