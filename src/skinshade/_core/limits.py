@@ -166,7 +166,9 @@ class Limits:
         "pixels",
         "Width and height of a picture: the largest texture of most devices.",
     )
-    samples: int = _limit(256, "Pictures", "samples", "Samples per pixel.")
+    samples: int = _limit(
+        256, "Pictures", "samples", "Samples per pixel; the time of a picture grows with them."
+    )
     frames: int = _limit(
         3600, "Pictures", "frames", "Frames of a turntable: a minute at 60 frames per second."
     )

@@ -268,20 +268,29 @@ def _opened(file: Path, error: type[FileError]) -> Any:
         "limits:imagesize_MB": min(_opening_bytes(file) // 2**20 + 1, UNLIMITED),
     }
     with _OPENING:
-        before = {name: oiio.get_int_attribute(name) for name in allowed}
+        # An attribute that this version of OpenImageIO does not have reads as the default, −1.
+        values = {name: oiio.get_int_attribute(name, -1) for name in allowed}
+        before = {name: value for name, value in values.items() if value >= 0}
         try:
-            for name, value in allowed.items():
-                oiio.attribute(name, value)
+            for name in before:
+                oiio.attribute(name, allowed[name])
             source = oiio.ImageInput.open(str(file), config)
         finally:
             for name, value in before.items():
                 oiio.attribute(name, value)
     if source is None:
         reason = _reason(oiio)
-        for width, height in re.findall(r"(\d+)x(\d+)", reason):  # OpenImageIO states the size
-            _check_size(file, int(width), int(height), error)
+        _check_stated_size(file, reason, error)
         raise error(f"{file}: not an image ({reason})")
     return source
+
+
+def _check_stated_size(file: Path, reason: str, error: type[FileError]) -> None:
+    """Raise if a size in a message of OpenImageIO, such as ``65500x65500``, is beyond a limit."""
+    text = reason.replace(str(file), "")
+    sizes = [(int(width), int(height)) for width, height in re.findall(r"(\d+)x(\d+)", text)]
+    if sizes:  # a message also states its own limit, which is less
+        _check_size(file, *max(sizes), error)
 
 
 def _opening_bytes(file: Path) -> int:

@@ -16,6 +16,8 @@ FACING_SHARE = 0.5
 """Least share of texels that face outwards in a tangent-space normal map."""
 STORED_RANGE = (-1.0, 2.0)
 """Least and greatest stored value; a filter that sharpens a float map can go somewhat beyond 0..1."""
+LEAST_LENGTH = np.float32(1e-6)
+"""Length below which a vector counts as zero: far below a step of 16 bits."""
 
 
 def read_normal_map(path: str | os.PathLike[str]) -> ImageArray:
@@ -43,14 +45,15 @@ def read_normal_map(path: str | os.PathLike[str]) -> ImageArray:
         )
     for row in normals:  # row by row, which needs no memory for another image
         length = np.sqrt(np.einsum("...i,...i->...", row, row))[..., None]
-        row /= np.maximum(length, np.float32(1e-6))
+        row /= np.maximum(length, LEAST_LENGTH)
     return normals
 
 
 def scale_slopes(normals: ImageArray, strength: float) -> ImageArray:
-    """Return a normal map (H, W, 3) with its slopes multiplied by a strength ≥ 0."""
+    """Return a normal map (H, W, 3) with slopes multiplied by a strength ≥ 0; zero vectors stay zero."""
     if strength == 1.0:
         return normals
     scaled = normals * np.array([strength, strength, 1.0], dtype=np.float32)
-    result: ImageArray = scaled / np.linalg.norm(scaled, axis=2, keepdims=True)
+    length = np.linalg.norm(scaled, axis=2, keepdims=True)
+    result: ImageArray = scaled / np.maximum(length, LEAST_LENGTH)
     return result
