@@ -216,7 +216,7 @@ def modules():
 def tree_lines(kind):
     """Return the lines of a drawing of an error and its subclasses."""
     lines = [kind.__name__]
-    children = kind.__subclasses__()
+    children = [child for child in kind.__subclasses__() if child.__module__ == errors.__name__]
     for child in children:
         last = child is children[-1]
         first, *rest = tree_lines(child)
