@@ -333,7 +333,9 @@ def mutate_npz(data: bytes, random: Random, seeds: Sequence[bytes]) -> bytes:
 
 def _npy(header: str, body: bytes, version: int = 1) -> bytes:
     text = header.encode("latin-1", "replace").ljust(53) + b"\n"
-    length = struct.pack("<H" if version == 1 else "<I", len(text))
+    length = (
+        struct.pack("<H", min(len(text), 0xFFFF)) if version == 1 else struct.pack("<I", len(text))
+    )
     return b"\x93NUMPY" + bytes([version, 0]) + length + text + body
 
 
