@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import hashlib
 import os
+import warnings
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, get_args
 
-from .._core.errors import ArgumentError, SkinshadeError
+from .._core.errors import ArgumentError, SkinshadeError, SkinshadeWarning
 from .._core.files import remove_dead_files
 from .._core.limits import Limits, limits, use_limits
+from .._core.text import shortened
 from .._core.version import __version__
 from ..gltf import GLTF_SUFFIXES, read_gltf
 from ..mesh.readers import SUFFIXES
 from ..profile import Profile
 from .asset import bake
+from .names import without_folders
 from .records import (
+    LONGEST_WARNING,
     MeshRecord,
     Record,
     are_unchanged,
@@ -29,6 +34,7 @@ from .records import (
 )
 from .settings import BakeSettings, OutputFormat
 from .thumbnails import write_thumbnails
+from .worker import failure_reason
 
 __all__ = ["Job", "JobResult", "failure", "plan_jobs", "run_job", "status_counts"]
 
@@ -99,6 +105,9 @@ class JobResult:
         Hash of each file that was written, by its name relative to the folder of the output.
     meshes
         Description of each mesh.
+    warnings
+        Texts of the warnings, such as that the unit gives an implausible size, without the name of the
+        source.
     """
 
     source: str
@@ -108,6 +117,7 @@ class JobResult:
     key: str = ""
     files: dict[str, str] = field(default_factory=dict)
     meshes: list[MeshRecord] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
 
 
 def plan_jobs(
@@ -192,7 +202,7 @@ def _with_problem(job: Job, sources: Sequence[Path]) -> Job:
 
 
 def run_job(job: Job) -> JobResult:
-    """Bake an asset unless it is current. Errors are returned in the result, not raised."""
+    """Bake an asset unless it is current. The result has the errors and the warnings of skinshade."""
     if job.problem:
         return failure(job, job.problem)
     with use_limits(job.active_limits):
@@ -207,7 +217,8 @@ def _run(job: Job) -> JobResult:
             return current
         job.output.parent.mkdir(parents=True, exist_ok=True)
         remove_dead_files([job.record.parent])
-        baked = bake(job.source, job.output, job.settings, replaceable=_recorded_files(job))
+        with _recorded_warnings(job) as texts:
+            baked = bake(job.source, job.output, job.settings, replaceable=_recorded_files(job))
         job.record.parent.mkdir(parents=True, exist_ok=True)
         if job.with_thumbnail:
             write_thumbnails(job.thumbnail, baked.meshes, Profile.preset(job.settings.profile))
@@ -221,17 +232,33 @@ def _run(job: Job) -> JobResult:
             },
             thumbnail=file_hash(job.thumbnail) if job.with_thumbnail else None,
             meshes=[mesh_record(mesh) for mesh in baked.meshes],
+            warnings=texts,
         )
         write_record(record, job.record)
     except SkinshadeError as error:
         return failure(job, str(error))
-    except (MemoryError, RecursionError):
-        return failure(job, f"{job.source}: out of memory")
     except OSError as error:
         return failure(job, f"{job.source}: {error}")
     except Exception as error:
-        return failure(job, f"{job.source}: internal error: {type(error).__name__}: {error}")
+        return failure(job, f"{job.source}: {failure_reason(error)}")
     return _result(job, "baked", record)
+
+
+@contextmanager
+def _recorded_warnings(job: Job) -> Iterator[list[str]]:
+    """Collect the texts of warnings of skinshade in a list. Other warnings are issued at the end."""
+    folders = (job.source_folder, job.output_folder)
+    texts: list[str] = []
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always", SkinshadeWarning)
+        yield texts
+        for item in caught:
+            if isinstance(item.message, SkinshadeWarning):
+                text = str(item.message).removeprefix(f"{job.source}: ")
+                texts.append(shortened(without_folders(text, folders), LONGEST_WARNING))
+    for item in caught:
+        if not isinstance(item.message, SkinshadeWarning):
+            warnings.warn_explicit(item.message, item.category, item.filename, item.lineno)
 
 
 def failure(job: Job, error: str) -> JobResult:
@@ -303,5 +330,11 @@ def _recorded_files(job: Job) -> list[Path]:
 
 def _result(job: Job, status: Status, record: Record) -> JobResult:
     return JobResult(
-        str(job.source), str(job.output), status, "", record.key, record.files, record.meshes
+        str(job.source),
+        str(job.output),
+        status,
+        key=record.key,
+        files=record.files,
+        meshes=record.meshes,
+        warnings=record.warnings,
     )

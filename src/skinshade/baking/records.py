@@ -36,6 +36,8 @@ some seconds. An asset with a larger record is baked again every time."""
 HISTOGRAM_BINS = 48
 LONGEST_LABEL = 200
 """Most characters of the name of a mesh or of a note; longer names only widen the page."""
+LONGEST_WARNING = 1000
+"""Most characters of a warning."""
 MOST_NOTES = 64
 """Most notes of a mesh, several times the number of different notes."""
 
@@ -93,6 +95,8 @@ class Record:
         Hash of the thumbnails; None without thumbnails.
     meshes
         Description of each mesh.
+    warnings
+        Texts of the warnings.
     """
 
     source: str
@@ -101,6 +105,7 @@ class Record:
     files: dict[str, str]
     thumbnail: str | None
     meshes: list[MeshRecord]
+    warnings: list[str]
 
 
 def mesh_record(baked: BakedMesh) -> MeshRecord:
@@ -221,6 +226,10 @@ def _is_label(value: Any) -> bool:
     return isinstance(value, str) and len(value) <= LONGEST_LABEL
 
 
+def _is_warning(value: Any) -> bool:
+    return isinstance(value, str) and len(value) <= LONGEST_WARNING
+
+
 def _is_attribute(value: Any) -> bool:
     return value in ("curvature", "tensor", "thickness")
 
@@ -270,4 +279,5 @@ RECORD: dict[str, Check] = {
     ),  # the size of the record limits their number
     "thumbnail": lambda value: value is None or _is_hash(value),
     "meshes": lambda value: isinstance(value, list) and all(map(_is_mesh, value)),
+    "warnings": lambda value: isinstance(value, list) and all(map(_is_warning, value)),
 }

@@ -60,6 +60,7 @@ def write_report(jobs: list[Job], results: list[JobResult], path: Path) -> None:
             "output": job.output_name,
             "status": result.status,
             "error": _error(job, result),
+            "warnings": result.warnings,
             "key": result.key,
             "files": result.files,
             "meshes": [asdict(mesh) for mesh in result.meshes],
@@ -198,7 +199,8 @@ def _asset_section(assets: list[tuple[Job, JobResult]]) -> list[str]:
 
 
 def _article(job: Job, result: JobResult) -> str:
-    meshes = "".join(map(_mesh, result.meshes[:MOST_MESHES]))
+    meshes = "".join(f'<p class="note">{_text(text)}</p>' for text in result.warnings)
+    meshes += "".join(map(_mesh, result.meshes[:MOST_MESHES]))
     hidden = len(result.meshes) - MOST_MESHES
     if hidden > 0:
         meshes += f"<p>and {hidden:,} more meshes; the JSON report lists them</p>"

@@ -231,3 +231,5 @@ def _print_result(result: JobResult) -> None:
         echo(f"{name}: failed: {printable(reason)}", err=True)
     elif not (has_bar() and sys.stdout is not None and sys.stdout.isatty()):
         echo(f"{name}: {result.status}")
+    for text in result.warnings:
+        echo(f"skinshade: warning: {name}: {printable(text)}", err=True)

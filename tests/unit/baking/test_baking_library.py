@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ import skinshade
 from skinshade._core.errors import ArgumentError, BackendError, DependencyError
 from skinshade.baking.jobs import plan_jobs, run_job
 from skinshade.baking.library import bake_library
+from skinshade.baking.report import write_page, write_report
 
 ASSETS, BAD = 200, 5
 
@@ -116,6 +118,42 @@ def test_a_corrupt_asset_fails_with_an_error_and_does_not_stop_the_others(refere
     )
 
 
+@pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.slow)])
+def test_warnings_are_in_the_results_the_records_and_the_report(tmp_path, workers):
+    for name in "ab":
+        write_asset(tmp_path / "in" / f"{name}.glb")
+    jobs = plan_jobs([tmp_path / "in"], tmp_path / "out", replace(SETTINGS, unit_mm=1e5))
+    text = (
+        "with the given unit of 100000 mm, the object is 346 m across; skin is on bodies of 80 mm to 3 m."
+        " If this is wrong, give unit_mm, the length of one unit of the file in mm"
+    )
+    for status in ("baked", "current"):
+        results = bake_library(jobs, workers=workers)
+        assert [(result.status, result.warnings) for result in results] == [(status, [text])] * 2
+        write_report(jobs, results, tmp_path / "report.json")
+        report = json.loads((tmp_path / "report.json").read_text())
+        assert [asset["warnings"] for asset in report["assets"]] == [[text]] * 2
+        write_page(jobs, results, tmp_path / "page.html")
+        assert (tmp_path / "page.html").read_text().count(f">{text}<") == 2
+
+
+def test_the_command_prints_the_warnings_of_its_processes(tmp_path):
+    write_library(tmp_path / "in", 2)
+    words = ["bake", str(tmp_path / "in"), "-o", str(tmp_path / "out"), "--jobs", "2"]
+    done = subprocess.run(
+        [sys.executable, "-m", "skinshade", *words, "--unit-mm", "1e5"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    lines = sorted(done.stderr.splitlines())
+    assert len(lines) == 2
+    for line, name in zip(lines, ("shelf0/a000.glb", "shelf1/a001.glb"), strict=True):
+        assert line.startswith(
+            f"skinshade: warning: {tmp_path / 'in' / name}: with the given unit of 100000 mm, "
+        )
+
+
 @pytest.mark.slow
 def test_two_processes_write_the_same_bytes_as_one(reference):
     folder, bad, _, content = reference
@@ -139,7 +177,16 @@ def test_a_dask_cluster_writes_the_same_bytes_as_one_process(reference, cluster)
 @pytest.mark.slow
 def test_the_command_names_the_failed_assets_and_exits_with_2(reference):
     folder, bad, _, content = reference
-    words = ["bake", str(folder / "in"), "-o", str(folder / "cli"), "--unit-mm", "m", "--jobs", "2"]
+    words = [
+        "bake",
+        str(folder / "in"),
+        "-o",
+        str(folder / "cli"),
+        "--unit-mm",
+        "100",
+        "--jobs",
+        "2",
+    ]
     environment = os.environ | {"PYTHONPATH": str(Path(skinshade.__file__).parents[1])}
     for baked in (ASSETS - BAD, 0):  # the second time, all valid assets are current
         process = subprocess.run(
@@ -232,7 +279,7 @@ def test_only_the_job_that_always_kills_its_worker_fails_on_a_cluster(tmp_path, 
 def test_a_killed_run_is_resumed(reference):
     """The parent and its workers are killed: finished assets are current, the others are baked."""
     folder, _, _, content = reference
-    words = ["bake", str(folder / "in"), "-o", str(folder / "killed"), "--unit-mm", "m"]
+    words = ["bake", str(folder / "in"), "-o", str(folder / "killed"), "--unit-mm", "100"]
     environment = os.environ | {"PYTHONPATH": str(Path(skinshade.__file__).parents[1])}
     process = subprocess.Popen(
         [sys.executable, "-m", "skinshade", *words],
@@ -242,7 +289,7 @@ def test_a_killed_run_is_resumed(reference):
         start_new_session=True,
     )
     end = time.monotonic() + 60.0
-    while len(list((folder / "killed").rglob("*.json"))) < 20 and time.monotonic() < end:
+    while len(list((folder / "killed").rglob("[!.]*.json"))) < 20 and time.monotonic() < end:
         time.sleep(0.005)
     os.killpg(process.pid, signal.SIGKILL)
     assert process.wait(timeout=30) == -signal.SIGKILL

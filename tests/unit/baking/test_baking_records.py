@@ -53,8 +53,8 @@ def test_a_record_describes_the_mesh(baked):
     assert (content["source"], content["output"]) == ("a.glb", "a.glb")
     assert content["files"] == {"a.glb": file_hash(job.output)}
     assert content["thumbnail"] == file_hash(job.thumbnail)
-    assert (mesh["vertices"], mesh["triangles"], mesh["unit_mm"]) == (4, 4, 1000.0)
-    assert mesh["size_mm"] == [2000.0] * 3
+    assert (mesh["vertices"], mesh["triangles"], mesh["unit_mm"]) == (4, 4, 100.0)
+    assert mesh["size_mm"] == [200.0] * 3
     assert mesh["notes"] == {"normals computed": 4}
 
 

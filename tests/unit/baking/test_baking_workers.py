@@ -46,7 +46,7 @@ def test_a_python_file_in_the_current_folder_is_not_executed(tmp_path, is_module
         path.write_text(f"open(r'{tmp_path / 'executed'}', 'a').write('{name} ')\n")
     program = tmp_path / "program.py"  # the installed program, too, is a file in another folder
     program.write_text("from skinshade.cli import main\nmain()\n")
-    words = ["bake", "in", "-o", "out", "--unit-mm", "m", "--jobs", "2"]
+    words = ["bake", "in", "-o", "out", "--unit-mm", "100", "--jobs", "2"]
     start = ["-m", "skinshade"] if is_module else [str(program)]
     code, _, err = Started(tmp_path / "work", *start, *words).finish()
     assert (code, err) == (0, "")
@@ -57,7 +57,7 @@ def test_a_python_file_in_the_current_folder_is_not_executed(tmp_path, is_module
 def test_workers_import_skinshade_from_the_current_folder_if_the_parent_did(tmp_path, jobs):
     """The folder itself is not on their search path."""
     source = Path(workers.__file__).parents[2]
-    words = ["bake", str(tmp_path / "in"), "-o", str(tmp_path / "out"), "--unit-mm", "m"]
+    words = ["bake", str(tmp_path / "in"), "-o", str(tmp_path / "out"), "--unit-mm", "100"]
     run = Started(source, "-m", "skinshade", *words, "--jobs", "2", PYTHONPATH="")
     code, _, err = run.finish()
     assert (code, err) == (0, "")
