@@ -115,7 +115,7 @@ class Limits:
         2**24,
         "Images",
         "pixels",
-        "Pixels that an image of any file size may have: 4096×4096.",
+        "Pixels that an image of any file size may have, except JPEG: 4096×4096.",
     )
     image_pixels_per_byte: int = _limit(
         2**10,

@@ -19,7 +19,7 @@ from .arrays import ImageArray
 from .errors import ArgumentError, FileError, OutputError
 from .files import FileSet, atomic_write, existing_file
 from .limits import check_file_size, check_limit, limit_advice, limits
-from .png import check_png_text
+from .png import PngPixels, check_png
 
 __all__ = [
     "ImageFile",
@@ -47,7 +47,9 @@ ROWS = 256
 """Rows that are decoded at once: no format compresses more of them together."""
 MANY_CHANNELS = (b"v/1\x01", b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 """Beginning of EXR and TIFF files, which may have any number of channels."""
-DECODED_WHEN_OPENED = (b"\xff\xd8", b"GIF8")
+JPEG = b"\xff\xd8"
+"""Beginning of JPEG files, in which 64 pixels take at least one bit."""
+DECODED_WHEN_OPENED = (JPEG, b"GIF8")
 """Beginning of JPEG and GIF files, which OpenImageIO may decode when it opens them; 4 bytes a pixel."""
 UNLIMITED = 2**31 - 1
 _OPENING = threading.Lock()
@@ -78,6 +80,7 @@ class ImageFile:
     description: str
     _source: Any
     _error: type[FileError]
+    _png: PngPixels | None
 
     def read(self, channels: int, decode: Decode | None = None) -> ImageArray:
         """Return the first channels (H, W, channels) of the image in float32.
@@ -97,6 +100,8 @@ class ImageFile:
         FileError
             If the file is corrupt.
         """
+        if self._png is not None:
+            self._png.check(self._error)
         decode = decode or unit_values
         result = np.empty((self.height, self.width, channels), dtype=np.float32)
         for start, rows in self._rows(min(channels, self.channels)):
@@ -137,7 +142,9 @@ def open_image(path: str | os.PathLike[str], error: type[FileError]) -> Iterator
     """
     file = existing_file(path, error)
     check_file_size(file, error)
-    check_png_text(file, error)
+    png = check_png(file, error)
+    if png is not None:
+        _check_size(file, png.width, png.height, error)
     source = _opened(file, error)
     try:
         spec = source.spec()
@@ -157,6 +164,7 @@ def open_image(path: str | os.PathLike[str], error: type[FileError]) -> Iterator
             _description(file, spec, error),
             source,
             error,
+            png,
         )
     finally:
         source.close()
@@ -305,7 +313,10 @@ def _opening_bytes(file: Path) -> int:
 def _allowed_pixels(file: Path) -> int:
     """Return the number of pixels that an image with the size of this file may have."""
     most = limits()
-    by_size = most.image_free_pixels + most.image_pixels_per_byte * file.stat().st_size
+    with file.open("rb") as stream:
+        is_jpeg = stream.read(2) == JPEG
+    free = 0 if is_jpeg else most.image_free_pixels
+    by_size = free + most.image_pixels_per_byte * file.stat().st_size
     return min(most.image_pixels, by_size)
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from typing import Any
-
-import numpy as np
 
 from .._core.errors import MeshFileError
 from .accessors import view_bytes
@@ -177,6 +176,8 @@ def _share(value: Any, default: float) -> float:
 
 def _number(value: Any, default: float, low: float, high: float) -> float:
     """Return a number within a range, or the default for anything else."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return default
+    if not abs(value) <= sys.float_info.max:  # not a number, or an integer that is no float
         return default
     return float(min(max(value, low), high))

@@ -125,8 +125,10 @@ def separators(
     offsets, more
         `most` arrays (N,): the end of the word where it has fewer; (N,) whether a word has it more often.
     """
-    offsets = np.flatnonzero(characters == ord(separator))
     count = begins.size
+    if count == 0:
+        return [ends] * most, np.zeros(0, dtype=bool)
+    offsets = np.flatnonzero(characters == ord(separator))
     for times in range(1, most + 1):  # in most files all words have it equally often
         if offsets.size == times * count:
             table = offsets.reshape(count, times)
