@@ -203,6 +203,7 @@ def record() -> dict[str, Any]:
         "files": {"head.glb": "1" * 64},
         "thumbnail": "2" * 64,
         "meshes": [mesh],
+        "warnings": ["with the given unit of 1000 mm, the object is 3.46 m across"],
     }
 
 

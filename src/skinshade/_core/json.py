@@ -35,7 +35,9 @@ def parse_json(text: str) -> Any:
         advice = limit_advice("json_depth", sys.getrecursionlimit())
         raise ArgumentError(f"it nests too deep to be read; {advice}") from None
     except ValueError as error:
-        raise ArgumentError(f"not JSON ({error})") from None
+        # For a number of thousands of digits, the message goes on with advice for programmers.
+        reason = str(error).partition("; use ")[0]
+        raise ArgumentError(f"not JSON ({reason})") from None
     _check_depth(value)
     return value
 

@@ -52,6 +52,8 @@ JPEG = b"\xff\xd8"
 DECODED_WHEN_OPENED = (JPEG, b"GIF8")
 """Beginning of JPEG and GIF files, which OpenImageIO may decode when it opens them; 4 bytes a pixel."""
 UNLIMITED = 2**31 - 1
+SIZE = re.compile(r"\b([1-9]\d*)x([1-9]\d*)\b")
+"""A size in a message of OpenImageIO; 0x69206e6f is none."""
 _OPENING = threading.Lock()
 """OpenImageIO has one set of limits for the whole process."""
 
@@ -296,7 +298,7 @@ def _opened(file: Path, error: type[FileError]) -> Any:
 def _check_stated_size(file: Path, reason: str, error: type[FileError]) -> None:
     """Raise if a size in a message of OpenImageIO, such as ``65500x65500``, is beyond a limit."""
     text = reason.replace(str(file), "")
-    sizes = [(int(width), int(height)) for width, height in re.findall(r"(\d+)x(\d+)", text)]
+    sizes = [(int(width), int(height)) for width, height in SIZE.findall(text)]
     if sizes:  # a message also states its own limit, which is less
         _check_size(file, *max(sizes), error)
 
@@ -313,11 +315,14 @@ def _opening_bytes(file: Path) -> int:
 def _allowed_pixels(file: Path) -> int:
     """Return the number of pixels that an image with the size of this file may have."""
     most = limits()
-    with file.open("rb") as stream:
-        is_jpeg = stream.read(2) == JPEG
-    free = 0 if is_jpeg else most.image_free_pixels
+    free = 0 if _is_jpeg(file) else most.image_free_pixels
     by_size = free + most.image_pixels_per_byte * file.stat().st_size
     return min(most.image_pixels, by_size)
+
+
+def _is_jpeg(file: Path) -> bool:
+    with file.open("rb") as stream:
+        return stream.read(2) == JPEG
 
 
 def _check_size(file: Path, width: int, height: int, error: type[FileError]) -> None:
@@ -329,8 +334,12 @@ def _check_size(file: Path, width: int, height: int, error: type[FileError]) -> 
         raise error(f"{claim}; {limit_advice('image_pixels', width * height)}")
     if width * height > _allowed_pixels(file):
         size = file.stat().st_size
-        needed = width * height - most.image_pixels_per_byte * size
-        raise error(f"{claim} in {size} bytes; {limit_advice('image_free_pixels', needed)}")
+        if _is_jpeg(file):
+            advice = limit_advice("image_pixels_per_byte", -(-width * height // size))
+        else:
+            needed = width * height - most.image_pixels_per_byte * size
+            advice = limit_advice("image_free_pixels", needed)
+        raise error(f"{claim} in {size} bytes; {advice}")
 
 
 def _description(file: Path, spec: Any, error: type[FileError]) -> str:
