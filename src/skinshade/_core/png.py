@@ -13,7 +13,7 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
-from .errors import FileError
+from .errors import ArgumentError, FileError
 from .limits import limit_advice, limits
 
 __all__ = ["PngPixels", "check_png"]
@@ -80,7 +80,7 @@ class PngPixels:
         except zlib.error as reason:
             # zlib says "Error -3 while decompressing data: incorrect data check".
             raise error(f"{self.file}: corrupt ({str(reason).rpartition(': ')[2]})") from None
-        except ValueError as reason:
+        except ArgumentError as reason:
             raise error(f"{self.file}: corrupt ({reason})") from None
 
     def _check_rows(self) -> None:
@@ -91,15 +91,15 @@ class PngPixels:
         for block in self._decompressed(inflater):
             while start < done + len(block):
                 if start < wanted and block[start - done] >= FILTERS:
-                    raise ValueError(f"a row has the unknown filter {block[start - done]}")
+                    raise ArgumentError(f"a row has the unknown filter {block[start - done]}")
                 start = next(starts, 1 << 62)
             done += len(block)
             if done > wanted + STEP:
-                raise ValueError("its pixels go on after the last row")
+                raise ArgumentError("its pixels go on after the last row")
         if done < wanted:
-            raise ValueError(f"cut short; {wanted - done} bytes of its pixels are missing")
+            raise ArgumentError(f"cut short; {wanted - done} bytes of its pixels are missing")
         if not inflater.eof:
-            raise ValueError("cut short; the end of its compressed pixels is missing")
+            raise ArgumentError("cut short; the end of its compressed pixels is missing")
 
     def _row_starts(self) -> Iterator[int]:
         """Yield the offset of the filter of every row in the decompressed bytes."""
@@ -147,7 +147,7 @@ def check_png(file: Path, error: type[FileError]) -> PngPixels | None:
                 advice = limit_advice("image_text_bytes", 2 * most)
                 raise error(f"{file}: its text takes more than {most} bytes; {advice}")
         return _pixels(file, chunks)
-    except ValueError as reason:
+    except ArgumentError as reason:
         raise error(f"{file}: corrupt ({reason})") from None
 
 
@@ -165,22 +165,22 @@ def _pixels(file: Path, chunks: list[_Chunk]) -> PngPixels:
     """Return the pixels from all chunks."""
     kinds = [chunk.kind for chunk in chunks]
     if kinds.count(b"IHDR") != 1 or kinds[0] != b"IHDR":
-        raise ValueError("its first chunk, and no other one, must be IHDR")
+        raise ArgumentError("its first chunk, and no other one, must be IHDR")
     if kinds.count(b"PLTE") > 1:
-        raise ValueError("it has several palettes")
+        raise ArgumentError("it has several palettes")
     if b"IDAT" not in kinds:
-        raise ValueError("cut short; it ends before its pixels")
+        raise ArgumentError("cut short; it ends before its pixels")
     for kind in kinds:
         if (kind[:1].isupper() and kind not in CRITICAL) or not (
             kind.isalpha() and kind[2:3].isupper()
         ):
-            raise ValueError(f"it has the unknown chunk {_name(kind)}")
+            raise ArgumentError(f"it has the unknown chunk {_name(kind)}")
     width, height, colour, rows = _header(chunks[0].data)
     first = kinds.index(b"IDAT")
     if colour == PALETTE:
         colours = next((chunk.length for chunk in chunks[:first] if chunk.kind == b"PLTE"), 0)
         if colours % 3 or not 3 <= colours <= 3 << 8:
-            raise ValueError(f"its palette has {colours} bytes")
+            raise ArgumentError(f"its palette has {colours} bytes")
     parts = takewhile(lambda chunk: chunk.kind == b"IDAT", chunks[first:])
     places = tuple((chunk.offset, chunk.length) for chunk in parts)
     return PngPixels(file, width, height, rows, places)
@@ -198,7 +198,7 @@ def _chunks(file: Path, most: int) -> Iterator[_Chunk]:
             length, kind = struct.unpack(">I4s", head.ljust(8, b"\0"))
             offset = stream.tell()
             if len(head) < 8 or offset + length + 4 > size:
-                raise ValueError(f"cut short in the chunk {_name(kind)}")
+                raise ArgumentError(f"cut short in the chunk {_name(kind)}")
             data, checksum = bytearray(), zlib.crc32(kind)
             for start in range(0, length, STEP):
                 block = stream.read(min(STEP, length - start))
@@ -206,11 +206,11 @@ def _chunks(file: Path, most: int) -> Iterator[_Chunk]:
                 if kind == b"IHDR" or (kind in TEXT and len(data) <= most):
                     data += block
             if stream.read(4) != struct.pack(">I", checksum):
-                raise ValueError(f"wrong checksum of the chunk {_name(kind)}")
+                raise ArgumentError(f"wrong checksum of the chunk {_name(kind)}")
             yield _Chunk(kind, offset, length, bytes(data))
             if kind == b"IEND":
                 return
-    raise ValueError(f"it has more than {MOST_CHUNKS} chunks")
+    raise ArgumentError(f"it has more than {MOST_CHUNKS} chunks")
 
 
 def _name(kind: bytes) -> str:
@@ -220,12 +220,12 @@ def _name(kind: bytes) -> str:
 def _header(header: bytes) -> tuple[int, int, int, tuple[tuple[int, int], ...]]:
     """Return width, height, type of colour, and rows as in `PngPixels`, from the content of IHDR."""
     if len(header) != 13:
-        raise ValueError(f"its header has {len(header)} bytes instead of 13")
+        raise ArgumentError(f"its header has {len(header)} bytes instead of 13")
     width, height, depth, colour, *methods, interlaced = struct.unpack(">IIBBBBB", header)
     if min(width, height) < 1 or max(width, height) >= 1 << 31:
-        raise ValueError(f"its header states {width}×{height} pixels")
+        raise ArgumentError(f"its header states {width}×{height} pixels")
     if depth not in DEPTHS.get(colour, ()) or any(methods) or interlaced > 1:
-        raise ValueError("its header states an unknown form of pixels")
+        raise ArgumentError("its header states an unknown form of pixels")
     bits = depth * CHANNELS[colour]
     sizes = []
     for left, top, across, down in PASSES if interlaced else ((0, 0, 1, 1),):
