@@ -231,10 +231,12 @@ def test_every_test_asserts_something():
     for name, tree in trees("tests").items():
         if not Path(name).name.startswith("test_"):
             shared |= functions(tree)
+    shared_helpers = {n for n, node in shared.items() if n[:5] != "test_" and checking(node, ())}
     for name, tree in trees("tests").items():
-        local = shared | functions(tree)
-        helpers = {n for n, node in local.items() if n[:5] != "test_" and checking(node, ())}
-        tests = [node for n, node in functions(tree).items() if n.startswith("test_")]
+        local = functions(tree)
+        helpers = shared_helpers - local.keys()
+        helpers |= {n for n, node in local.items() if n[:5] != "test_" and checking(node, ())}
+        tests = [node for n, node in local.items() if n.startswith("test_")]
         without += [f"{name}: {node.name}" for node in tests if not checking(node, helpers)]
     assert without == []
 
