@@ -86,6 +86,6 @@ def _with_other_word(data: bytes, random: Random) -> bytes:
     word = random.choice(
         (random.choice(TOKENS), random.choice(words)[0], match[0] + random.choice(TOKENS))
     )
-    if match[0].lstrip(b"-").isdigit() and len(match[0]) < 9 and random.random() < 0.4:
+    if re.fullmatch(rb"-?[0-9]{1,8}", match[0]) and random.random() < 0.4:
         word = str(int(match[0]) + random.choice((1, -1, 2, 1000))).encode()
     return data[: match.start()] + word + data[match.end() :]

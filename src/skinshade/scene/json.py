@@ -113,7 +113,8 @@ def _message(error: ValidationError) -> str:
 
 
 def _scene(description: SceneFile, folder: Path, names: Sequence[str] | None) -> Scene:
-    mesh = load_mesh(folder / description.mesh.path, unit_mm=description.unit_mm)
+    entry = description.mesh
+    mesh = load_mesh(folder / entry.path, unit_mm=description.unit_mm, up=entry.up)
     mesh, parts = _with_parts(description, folder, mesh)
     v_up = _maps_run_up(description)
     if v_up and mesh.uvs is not None:

@@ -68,6 +68,10 @@ class MeshFile(_Model):
     """Model to draw."""
 
     path: Path
+    up: Literal["y", "z"] = Field(
+        "y",
+        description="Axis of an OBJ, PLY or STL file that points up; camera and lights have y up.",
+    )
     credit: str = Field("", description="Credit to show with every picture.")
     skin_materials: list[str] = Field(
         [],

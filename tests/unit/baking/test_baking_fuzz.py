@@ -1,4 +1,6 @@
-"""Two thousand corrupted files, and more with `python -m fuzz`: a bake raises an error of skinshade or writes a complete result.
+"""Two thousand corrupted files: a bake raises an error of skinshade or writes a complete result.
+
+`python -m fuzz` changes many more files.
 
 Failures are: numbers that are not finite, warnings, other errors, too much memory or time, and changed
 files outside the output folder. Each fault that these tests revealed has its own test in another file.

@@ -244,3 +244,11 @@ def test_the_scene_of_the_scan_is_lit_from_the_front_or_from_the_back(data_dir):
         assert np.allclose(light.irradiance, np.pi, rtol=1e-6)
         to_camera = scene.camera.position_mm - scene.camera.target_mm
         assert (light.to_light @ to_camera > 0.0) == (name == "front")
+
+
+def test_a_mesh_with_z_up_is_turned(tmp_path):
+    write_files(tmp_path)
+    scene = load_scene(write(tmp_path, MINIMAL | {"mesh": {"path": "bare.obj", "up": "z"}}))
+    plain = load_scene(write(tmp_path, MINIMAL))
+    x, y, z = plain.mesh.positions.T
+    assert np.array_equal(scene.mesh.positions, np.stack([x, z, -y], axis=1))
