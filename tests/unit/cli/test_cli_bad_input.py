@@ -227,7 +227,7 @@ OPTIONS = {
     "environment scale of 1e308": Case(
         (*HEAD, "--env-scale", "1e308"),
         ("environment scale is 5.5", "e+307"),
-        call=lambda at: sk.Environment.studio(scale=0.55e308),
+        call=lambda at: sk.Environment.studio(scale=0.55 * 1e308),
     ),
     "background of two numbers": option_case(
         "--background", "1,2", call=lambda at: parse_numbers("1,2", 3, "--background")
