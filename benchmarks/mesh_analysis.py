@@ -152,11 +152,13 @@ def other_rows(side: int, runs: int) -> list[str]:
     """Return the rows of other functions."""
     points, faces, normals = mesh(side, True)
     uvs = np.ascontiguousarray(points[:, :2])
+    profile = sk.Profile.preset("skin-deon2007")
     work = {
         "weld": lambda: weld(points),
         "vertex_normals": lambda: vertex_normals(points, faces),
         "open_edge_counts": lambda: open_edge_counts(points, faces),
         "mesh_curvature_tensor": lambda: sk.mesh_curvature_tensor(points, faces, normals),
+        "mesh_diffused_normals": lambda: sk.mesh_diffused_normals(points, faces, normals, profile),
         "mesh_uv_scale": lambda: sk.mesh_uv_scale(points, uvs, faces),
         "Mesh.checked, normals given": lambda: sk.Mesh.checked(
             points, faces, unit_mm=1.0, normals=normals, uvs=uvs

@@ -91,6 +91,12 @@ KERNELS: dict[str, str] = {
     "add_thirds": "double* faces int64 range double*",
     "mark_used": "faces range uint8*",
     "side_squares": "points faces int64 range double*",
+    "edges_fill": (
+        "double* uint32* uint32* uint32* int64 range double int64* uint32* double* uint32*"
+        " double* double*"
+    ),
+    "edges_pack": "int64* uint32* double* range int64* uint32* double*",
+    "chebyshev_step": "int64* uint32* double* double* range int32 double* double* double* double*",
     "edge_faults": "uint32* uint32* uint32* int64 range uint32* int64*",
     "uv_ratios": "points double* faces int64 range double*",
 }

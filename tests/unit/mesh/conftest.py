@@ -13,6 +13,7 @@ BOTH_WAYS = (
     "test_mesh_curvature",
     "test_mesh_curvature_invariance",
     "test_mesh_curvature_tensor",
+    "test_mesh_diffusion",
     "test_mesh_normals",
     "test_mesh_shape_operator",
     "test_mesh_topology",

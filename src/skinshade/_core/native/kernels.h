@@ -123,6 +123,17 @@ SKN_EXPORT void SKN(mark_used)(const void *faces, int32_t kind, int64_t first, i
 SKN_EXPORT void SKN(side_squares)(const void *points, int32_t kind, const void *faces, int32_t face_kind,
                                   int64_t step, int64_t first, int64_t last, double *squares);
 
+/* diffuse.c */
+SKN_EXPORT void SKN(edges_fill)(const double *points, const uint32_t *starts, const uint32_t *counts,
+                                const uint32_t *corners, int64_t vertices, int64_t first, int64_t last,
+                                double floor_area, const int64_t *rooms, uint32_t *ends, double *weights,
+                                uint32_t *edges, double *masses, double *bounds);
+SKN_EXPORT void SKN(edges_pack)(const int64_t *rooms, const uint32_t *ends, const double *weights, int64_t first,
+                                int64_t last, const int64_t *firsts, uint32_t *packed, double *packed_weights);
+SKN_EXPORT void SKN(chebyshev_step)(const int64_t *firsts, const uint32_t *ends, const double *weights,
+                                    const double *rates, int64_t first, int64_t last, int32_t start,
+                                    const double *now, double *previous, const double *factors, double *sums);
+
 /* edges.c */
 SKN_EXPORT void SKN(edge_faults)(const uint32_t *starts, const uint32_t *counts, const uint32_t *corners,
                                  int64_t vertices, int64_t first, int64_t last, uint32_t *keys, int64_t *faults);
