@@ -109,6 +109,15 @@ NATIVE_CURVATURE = Tolerance(
 NATIVE_ANY_MESH = Tolerance(
     1e-6, "as NATIVE_CURVATURE on any faces: the fit of parallel edges has a condition of 1e9"
 )
+NATIVE_FETCH = Tolerance(
+    1e-12, "compiled against NumPy: bilinear weights of values of magnitude 1 in float64"
+)
+NATIVE_RASTER = Tolerance(
+    1e-9, "compiled against NumPy: sums of edge functions in another order; relative"
+)
+NATIVE_TAPS = Tolerance(
+    2e-3, "float32 taps against float64: positions err by 1e-4 texels of a map 1,024 texels wide"
+)
 SPHERE_CURVATURE = Tolerance(1e-6, "the fit is exact on a sphere except for its ridge; relative")
 ROTATION = Tolerance(1e-7, "a rotation changes the rounding, which the fit amplifies; relative")
 EDGES_2014 = Tolerance(0.02, "difference to the 18 % RMS that MODEL states for the method of 2014")
@@ -157,6 +166,9 @@ THICKNESS = Tolerance(
 )
 THICKNESS_FEW_RAYS = Tolerance(
     0.02, "walls that are not smooth over the cone, or coarse meshes; relative"
+)
+THICKNESS_SHARED = Tolerance(
+    0.03, "rays that neighbours share on a smooth body, at 95 % of the vertices; relative"
 )
 THICKNESS_HALF_CONE = Tolerance(
     0.02, "half of the rays of a spiral, cut through its centre; relative"

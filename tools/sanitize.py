@@ -13,7 +13,11 @@ from pathlib import Path
 
 import native_library
 
-TESTS = ("tests/unit/_core/test_core_native.py", "tests/unit/mesh")
+TESTS = (
+    "tests/unit/_core/test_core_native.py",
+    "tests/unit/mesh",
+    "tests/unit/rendering/test_rendering_compiled.py",
+)
 
 
 def main() -> None:

@@ -47,6 +47,7 @@ ROW_KINDS = {"points": FLOAT_KINDS, "faces": INDEX_KINDS, "rows": FLOAT_KINDS | 
 """Parameters whose type the kernel learns: a pointer, and the number of the type as in kernels.h."""
 TABLES: dict[str, DTypeLike] = {
     "double*": np.float64,
+    "float*": np.float32,
     "uint8*": np.uint8,
     "uint32*": np.uint32,
     "uint64*": np.uint64,
@@ -98,7 +99,27 @@ KERNELS: dict[str, str] = {
     "edges_pack": "int64* uint32* double* range int64* uint32* double*",
     "chebyshev_step": "int64* uint32* double* double* range int32 double* double* double* double*",
     "edge_faults": "uint32* uint32* uint32* int64 range uint32* int64*",
+    "bvh_boxes": "double* faces range float* uint64*",
+    "bvh_subtrees": "float* uint64* int64* int64* range uint32* uint8* uint8* uint32* float*",
+    "bvh_top": "float* uint32* range int64 uint32* uint8* uint32*",
+    "bvh_corners": "double* faces uint32* uint8* range double*",
+    "ray_exits": "uint8* double* uint32* int64 double* double* range double*",
+    "ray_hits": "uint8* double* uint32* int64 double* double* range double* int64* double*",
+    "ray_blocks": "uint8* double* uint32* int64 double* double* double* range uint8*",
+    "ray_sums": "uint8* double* uint32* int64 double* double* int64 range double* int64 int64 double*",
     "uv_ratios": "points double* faces int64 range double*",
+    "raster_nearest": "double* double* int64* int64 int64 double* range double* int64*",
+    "raster_list": (
+        "int64: double* double* int64* int64 int64 double* range double* int64*? int64*? double*?"
+    ),
+    "raster_depths": "double* double* int64* int64 double* range double* double*",
+    "raster_resolve": "double* int64* int64* int64* double* range double* double* double*",
+    "lit_share": "float* int64 int64 double* double* double* double* double* int64 range double*",
+    "mean_thickness": "double* int64 int64 double* double* double* double* int64 range double*",
+    "fetch_texture": "float* int64 int64* int64 double* double* double* int64 range double*",
+    "fetch_panorama": "float* int64* int64* double* double* int64 range double*",
+    "fetch_table": "float* int64 int64 double* int64 double* int64 range double*",
+    "interpolate": "double* int64 int64* int64* double* int64 range double*",
 }
 """Result and parameters of every kernel, as in kernels.h. "?" allows None; "range" is first, last."""
 

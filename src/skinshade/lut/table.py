@@ -16,6 +16,7 @@ from .._core.errors import ArgumentError, LutFileError
 from .._core.limits import check_limit, limit_range, limits
 from .._core.notebook import png_bytes
 from .._core.srgb import srgb_from_linear
+from . import compiled_fetch as compiled
 from .files import read_table, write_table
 
 __all__ = ["Axis", "Lut", "LutKind", "checked_range", "checked_size"]
@@ -176,6 +177,8 @@ class Lut:
         return self._bilinear(u, v[..., None])
 
     def _bilinear(self, u: FloatArray, v: FloatArray) -> FloatArray:
+        if compiled.serves():
+            return compiled.fetch_table(self.values, u, v)
         height, width, _ = self.values.shape
         x = np.clip(u * width - 0.5, 0.0, width - 1.0)
         y = np.clip(v * height - 0.5, 0.0, height - 1.0)

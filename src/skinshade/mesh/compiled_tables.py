@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from .._core import native
 from .._core.scratch import Scratch
 
-__all__ = ["Corners", "Faces", "Groups", "Points", "equal_rows", "scratch_for"]
+__all__ = ["Corners", "Faces", "Groups", "Points", "equal_rows", "is_disordered", "scratch_for"]
 
 Points = NDArray[np.floating[Any]]
 """Rows of three float32 or float64."""

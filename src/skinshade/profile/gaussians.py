@@ -69,9 +69,13 @@ class GaussianMixture:
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
         """Return T(k) (..., 3) at spatial frequencies in rad/mm."""
-        lobes = np.exp(-0.5 * np.square(k_per_mm)[..., None] * self.variances_mm2)
-        result: FloatArray = lobes @ self.weights
-        return result
+        exponent = -0.5 * np.square(k_per_mm)
+        lobes = [np.exp(variance * exponent) for variance in self.variances_mm2]
+        channels = [
+            sum(weight * lobe for weight, lobe in zip(weights, lobes, strict=True))
+            for weights in self.weights.T
+        ]
+        return np.stack(channels, axis=-1)
 
     def radial(self, r_mm: FloatArray) -> FloatArray:
         """Return R(r) (..., 3) per mm², which integrates to 1 over the plane."""

@@ -17,27 +17,31 @@ __all__ = [
 
 COSINE_BANDS = np.array([1.0, 2.0 / 3.0, 1.0 / 4.0])
 """Factors of the clamped cosine for bands 0, 1 and 2, divided by π [Ramamoorthi2001]."""
-BAND_OF = np.array([0, 1, 1, 1, 2, 2, 2, 2, 2])
-"""Band of each of the nine harmonics."""
 
 
 def sh_basis(directions: FloatArray) -> FloatArray:
     """Return the nine real spherical harmonics of bands 0..2 (..., 9) at unit directions (..., 3)."""
+    return np.stack([harmonic for band in _bands(directions) for harmonic in band], axis=-1)
+
+
+def _bands(directions: FloatArray) -> list[list[FloatArray]]:
+    """Return the harmonics (...) of bands 0, 1 and 2 at unit directions (..., 3)."""
     x, y, z = directions[..., 0], directions[..., 1], directions[..., 2]
-    return np.stack(
+    return [
+        [np.full_like(x, 0.28209479177387814)],  # √(1/4π)
         [
-            np.full_like(x, 0.28209479177387814),  # √(1/4π)
             0.4886025119029199 * y,  # √(3/4π)
             0.4886025119029199 * z,
             0.4886025119029199 * x,
+        ],
+        [
             1.0925484305920792 * x * y,  # √(15/4π)
             1.0925484305920792 * y * z,
             0.31539156525252005 * (3.0 * z * z - 1.0),  # √(5/16π)
             1.0925484305920792 * x * z,
             0.5462742152960396 * (x * x - y * y),  # √(15/16π)
         ],
-        axis=-1,
-    )
+    ]
 
 
 def ambient_irradiance(
@@ -66,15 +70,13 @@ def ambient_irradiance(
     array([1., 1., 1.])
     """
     length = np.sqrt(dot(normals, normals))
-    basis = sh_basis(normals / np.maximum(length, 1e-9)[..., None])
     # Blurring relief damps band l by |N|^(l(l+1)/2): the powers 0, 1 and 3.
-    bands = np.stack([np.ones_like(length), length, length**3], axis=-2)
-    if band_transfer is not None:
-        bands = bands * band_transfer
-    bands = bands * COSINE_BANDS[:, None]
-    total = np.zeros_like(length)
-    for term in range(9):
-        total += basis[..., term] * bands[..., BAND_OF[term], :] * radiance_sh[term]
+    damping = [np.ones_like(length), length, length * length * length]
+    total, coefficients = np.zeros_like(length), iter(radiance_sh)
+    for band, harmonics in enumerate(_bands(normals / np.maximum(length, 1e-9)[..., None])):
+        light = sum(harmonic * next(coefficients) for harmonic in harmonics)
+        factor = COSINE_BANDS[band] * damping[band]
+        total += light * (factor if band_transfer is None else factor * band_transfer[..., band, :])
     result: FloatArray = np.maximum(total, 0.0)
     return result
 

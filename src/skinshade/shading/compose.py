@@ -247,8 +247,10 @@ def _ambient(
     """Return the terms of ambient light."""
     band_transfer = None
     if shading == Shading.TRANSFER:
-        k = np.sqrt(np.array([0.0, 2.0, 6.0])) * np.abs(surface.curvature_per_mm)[:, None]
-        band_transfer = skin.transfer(k) * gain[:, None, :]
+        curvature = np.abs(surface.curvature_per_mm)
+        transfers = [skin.transfer(np.sqrt(squared) * curvature) for squared in (2.0, 6.0)]
+        # Band 0 is constant over the body: T(0) = 1.
+        band_transfer = np.stack([gain, *(transfer * gain for transfer in transfers)], axis=1)
     irradiance = ambient.ambient_irradiance(
         surroundings.radiance_sh, channel_normals, band_transfer
     )
@@ -285,7 +287,7 @@ def _specular(surface: Surface, light: Incident, sharpened: FloatArray) -> Float
     highlight = specular.specular(
         surface.sharp, surface.view, light.to_light, surface.gloss, surface.reflectance
     )
-    return np.repeat((highlight * sharpened)[:, None], 3, axis=1)
+    return np.broadcast_to((highlight * sharpened)[:, None], (sharpened.size, 3))
 
 
 def _tint(skin: Skin, surface: Surface) -> FloatArray:

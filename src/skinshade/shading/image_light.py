@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._core.arrays import FloatArray, ImageArray, ImageStack, IntArray
+from . import compiled_fetch as compiled
 from .specular import SHARP_LOBE_SHARE, specular_power
 
 __all__ = [
@@ -114,6 +115,8 @@ def bilinear(levels: ImageStack, level: IntArray, u: FloatArray, v: FloatArray) 
 
     The coordinate u repeats, and v clamps to the edge.
     """
+    if compiled.serves(levels):
+        return compiled.bilinear(levels, level, u, v)
     _, height, width, _ = levels.shape
     x, y = u * width - 0.5, np.clip(v * height - 0.5, 0.0, height - 1.0)
     x0, y0 = np.floor(x).astype(np.int64), np.minimum(y.astype(np.int64), height - 2)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import nnls
 
-from .._core.arrays import FloatArray
+from .._core.arrays import FloatArray, dot
 from ..profile import Profile
 
 __all__ = [
@@ -153,7 +153,10 @@ def blend_normals(fetched: FloatArray, blend: NormalBlend) -> FloatArray:
     blend
         Weights of the fetches.
     """
-    result: FloatArray = np.matmul(blend.weights, fetched)
+    result: FloatArray = sum(
+        blend.weights[..., index, None] * fetched[..., None, index, :]
+        for index in range(fetched.shape[-2])
+    )
     return result
 
 
@@ -169,7 +172,7 @@ def add_mesh_diffusion(
     mesh_normal
         (..., 3) unit normals of the mesh.
     """
-    length = np.sqrt(np.einsum("...i,...i->...", from_texture, from_texture))[..., None]
+    length = np.sqrt(dot(from_texture, from_texture))[..., None]
     result: FloatArray = from_texture + length * (from_mesh - mesh_normal[..., None, :])
     return result
 

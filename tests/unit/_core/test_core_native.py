@@ -24,6 +24,7 @@ C_TYPES = {
     "faces": ["void*", "int32_t"],
     "rows": ["void*", "int32_t"],
     "double*": ["double*"],
+    "float*": ["float*"],
     "uint8*": ["uint8_t*"],
     "uint32*": ["uint32_t*"],
     "uint64*": ["uint64_t*"],

@@ -138,8 +138,69 @@ SKN_EXPORT void SKN(chebyshev_step)(const int64_t *firsts, const uint32_t *ends,
 SKN_EXPORT void SKN(edge_faults)(const uint32_t *starts, const uint32_t *counts, const uint32_t *corners,
                                  int64_t vertices, int64_t first, int64_t last, uint32_t *keys, int64_t *faults);
 
+/* bvh.c */
+SKN_EXPORT void SKN(bvh_boxes)(const double *points, const void *faces, int32_t kind, int64_t first, int64_t last,
+                               float *boxes, uint64_t *entries);
+SKN_EXPORT void SKN(bvh_subtrees)(const float *boxes, const uint64_t *entries, const int64_t *starts,
+                                  const int64_t *spaces, int64_t first, int64_t last, uint32_t *order,
+                                  uint8_t *leaves, uint8_t *nodes, uint32_t *roots, float *cells);
+SKN_EXPORT void SKN(bvh_top)(const float *cells, const uint32_t *roots, int64_t first, int64_t last, int64_t space,
+                             uint32_t *order, uint8_t *nodes, uint32_t *root);
+SKN_EXPORT void SKN(bvh_corners)(const double *points, const void *faces, int32_t kind, const uint32_t *order,
+                                 const uint8_t *leaves, int64_t first, int64_t last, double *corners);
+
+/* rays.c */
+SKN_EXPORT void SKN(ray_exits)(const uint8_t *nodes, const double *corners, const uint32_t *ids, int64_t root,
+                               const double *origins, const double *directions, int64_t first, int64_t last,
+                               double *distances);
+SKN_EXPORT void SKN(ray_hits)(const uint8_t *nodes, const double *corners, const uint32_t *ids, int64_t root,
+                              const double *origins, const double *directions, int64_t first, int64_t last,
+                              double *distances, int64_t *faces, double *weights);
+SKN_EXPORT void SKN(ray_blocks)(const uint8_t *nodes, const double *corners, const uint32_t *ids, int64_t root,
+                                const double *origins, const double *directions, const double *limits, int64_t first,
+                                int64_t last, uint8_t *blocked);
+SKN_EXPORT void SKN(ray_sums)(const uint8_t *nodes, const double *corners, const uint32_t *ids, int64_t root,
+                              const double *origins, const double *normals, int64_t points, int64_t first,
+                              int64_t last, const double *sets, int64_t set_count, int64_t rays, double *sums);
+
 /* uv_scale.c */
 SKN_EXPORT void SKN(uv_ratios)(const void *points, int32_t kind, const double *uvs, const void *faces,
                                int32_t face_kind, int64_t count, int64_t first, int64_t last, double *products);
+
+/* raster.c */
+SKN_EXPORT void SKN(raster_nearest)(const double *screen, const double *depth, const int64_t *faces, int64_t from,
+                                    int64_t to, const double *view, int64_t first, int64_t last, double *nearest,
+                                    int64_t *winner);
+SKN_EXPORT int64_t SKN(raster_list)(const double *screen, const double *depth, const int64_t *faces, int64_t from,
+                                    int64_t to, const double *view, int64_t first, int64_t last, double *nearest,
+                                    int64_t *face, int64_t *pixel, double *depths);
+SKN_EXPORT void SKN(raster_depths)(const double *screen, const double *depth, const int64_t *faces, int64_t count,
+                                   const double *view, int64_t first, int64_t last, double *nearest,
+                                   double *facing_away);
+SKN_EXPORT void SKN(raster_resolve)(const double *screen, const int64_t *faces, const int64_t *face,
+                                    const int64_t *pixel, const double *view, int64_t first, int64_t last,
+                                    double *barycentric, double *along_x, double *along_y);
+
+/* taps.c */
+SKN_EXPORT void SKN(lit_share)(const float *depths, int64_t width, int64_t height, const double *uv,
+                               const double *receiver, const double *radius, const double *rise, const double *disk,
+                               int64_t taps, int64_t first, int64_t last, double *lit);
+SKN_EXPORT void SKN(mean_thickness)(const double *depths, int64_t width, int64_t height, const double *uv,
+                                    const double *receiver, const double *radius, const double *disk, int64_t taps,
+                                    int64_t first, int64_t last, double *thickness);
+
+/* fetch.c */
+SKN_EXPORT void SKN(fetch_texture)(const float *texels, int64_t channels, const int64_t *sizes, int64_t levels,
+                                   const double *u, const double *v, const double *level, int64_t count,
+                                   int64_t first, int64_t last, double *values);
+SKN_EXPORT void SKN(fetch_panorama)(const float *images, const int64_t *size, const int64_t *index, const double *u,
+                                    const double *v, int64_t count, int64_t first, int64_t last, double *values);
+SKN_EXPORT void SKN(fetch_table)(const float *table, int64_t height, int64_t width, const double *u, int64_t columns,
+                                 const double *v, int64_t count, int64_t first, int64_t last, double *values);
+
+/* interpolate.c */
+SKN_EXPORT void SKN(interpolate)(const double *values, int64_t columns, const int64_t *faces, const int64_t *face,
+                                 const double *weights, int64_t count, int64_t first, int64_t last,
+                                 double *results);
 
 #endif

@@ -21,7 +21,7 @@ from ...shading.shadow import DARK_BEYOND
 from ...shading.skin import Skin
 from ...shading.specular import reflected
 from ..backend import Renderer
-from ..prepare.parts import PreparedPart
+from ..prepare.parts import PreparedPart, opaque_count
 from ..prepare.rasterizer import Fragments, rasterize
 from ..prepare.samples import sample_offsets
 from ..prepare.scene import prepare_scene
@@ -97,8 +97,8 @@ class CpuRenderer(Renderer):
         """Draw one view with several settings; each sample is rasterised once for all of them."""
         width, height = size
         vertices = self.prepared.vertices
-        has_opacity = any(part.opacity is not None for part in self.prepared.parts)
-        hidden = self._hidden if has_opacity else None
+        opaque = opaque_count(self.prepared.parts)
+        hidden = self._hidden if opaque < len(vertices.faces) else None
         request = self._request(camera, samples, settings)
         totals = np.zeros((len(settings), height * width, 3))
         coverage = np.zeros(height * width)
@@ -106,7 +106,7 @@ class CpuRenderer(Renderer):
         with ThreadPoolExecutor(max(1, os.cpu_count() or 1)) as pool:
             for index, offset in enumerate(sample_offsets(samples, settings[0].seed)):
                 self._progress("shading", index / samples)
-                fragments = rasterize(clip, vertices.faces, size, offset, hidden)
+                fragments = rasterize(clip, vertices.faces, size, offset, hidden, opaque)
                 chunks = [
                     (index, chunk)
                     for index, part in enumerate(self.prepared.parts)
@@ -120,11 +120,12 @@ class CpuRenderer(Renderer):
         self._progress("shading", 1.0)
         coverage /= samples
         background = (1.0 - coverage[:, None]) * background_light(self.scene, camera, size)
-        images = []
-        for total in totals:
-            image = np.concatenate([total / samples + background, coverage[:, None]], axis=1)
-            images.append(image.reshape(height, width, 4).astype(np.float32))
-        return images
+        images = np.empty((len(settings), height * width, 4), dtype=np.float32)
+        for image, total in zip(images, totals, strict=True):
+            total /= samples
+            np.add(total, background, out=image[:, :3], casting="same_kind")
+            image[:, 3] = coverage
+        return [image.reshape(height, width, 4) for image in images]
 
     def _request(
         self, camera: Camera, samples: int, settings: Sequence[RenderSettings]
@@ -155,9 +156,7 @@ class CpuRenderer(Renderer):
             own = np.flatnonzero(_within(part, face))
             if not own.size:
                 continue
-            corners = self.prepared.vertices.faces[face[own]]
-            uv = self.prepared.vertices.column("uv")[corners]
-            uv = np.einsum("ni,nik->nk", barycentric[own], uv)
+            uv = self.prepared.vertices.mixed("uv", face[own], barycentric[own])
             opacity = part.textures[MaterialMap.ALBEDO].sample(uv, np.zeros(own.size))[:, 3]
             hidden = np.zeros(face.size, dtype=bool) if hidden is None else hidden
             hidden[own] = opacity < part.opacity_cutoff

@@ -65,8 +65,8 @@ def pixel_surface(
         colour = footprint.fetch(MaterialMap.ALBEDO)[:, :3]
     else:
         albedo = part.material.albedo.reshape(1, 3).astype(np.float64)
-        colour = np.repeat(albedo, count, axis=0)
-    tint = np.ones((count, 3))
+        colour = np.broadcast_to(albedo, (count, 3))
+    tint: FloatArray = np.broadcast_to(1.0, (count, 3))
     if MaterialMap.DEEP_SCATTER in part.textures:
         tint = footprint.fetch(MaterialMap.DEEP_SCATTER)
     fetched = _fetched_normals(part, skin, footprint, columns["tangent"], normal, fetches)
@@ -98,10 +98,11 @@ class _Footprint:
         samples: int,
     ) -> None:
         self._textures, self.uv = part.textures, uv
-        corners = vertices.column("uv")[vertices.faces[fragments.face]]
         spread = 1.0 / np.sqrt(samples)
-        self._along_x = spread * np.einsum("ni,nik->nk", fragments.along_x, corners)
-        self._along_y = spread * np.einsum("ni,nik->nk", fragments.along_y, corners)
+        self._along_x, self._along_y = (
+            spread * vertices.mixed("uv", fragments.face, along)
+            for along in (fragments.along_x, fragments.along_y)
+        )
 
     def level(self, kind: MaterialMap) -> FloatArray:
         """Return the mip level (N,) of a map for the footprint."""

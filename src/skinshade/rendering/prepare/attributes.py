@@ -13,6 +13,7 @@ from ...mesh.attributes import plain_attributes
 from ...params.vertex import VERTEX_COLUMNS, column_slices
 from ...shading.direct import directional_curvature, relief_length
 from ...shading.skin import Skin
+from . import compiled_fetches as compiled
 from .ambient_light import AmbientLight
 
 __all__ = ["VertexTable", "build_vertex_table"]
@@ -37,12 +38,23 @@ class VertexTable:
         """Return a column (V, k) by its `name`."""
         return self.values[:, column_slices()[name]]
 
+    def mixed(self, name: str, face: IntArray, weights: FloatArray) -> FloatArray:
+        """Return a column (N, k) by its `name`, mixed with weights (N, 3) of the corners of faces (N,)."""
+        values = self.column(name)
+        if compiled.serves():
+            return compiled.interpolated(values, self.faces, face, weights)
+        result: FloatArray = np.einsum("ni,nik->nk", weights, values[self.faces[face]])
+        return result
+
     def interpolated(self, face: IntArray, barycentric: FloatArray) -> dict[str, FloatArray]:
         """Return every column (N, k) at points given by face (N,) and barycentric weights (N, 3)."""
-        corners = self.faces[face]
-        mixed = self.values[corners[:, 0]] * barycentric[:, :1]
-        mixed += self.values[corners[:, 1]] * barycentric[:, 1:2]
-        mixed += self.values[corners[:, 2]] * barycentric[:, 2:]
+        if compiled.serves():
+            mixed = compiled.interpolated(self.values, self.faces, face, barycentric)
+        else:
+            corners = self.faces[face]
+            mixed = self.values[corners[:, 0]] * barycentric[:, :1]
+            mixed += self.values[corners[:, 1]] * barycentric[:, 1:2]
+            mixed += self.values[corners[:, 2]] * barycentric[:, 2:]
         return {name: mixed[:, floats] for name, floats in column_slices().items()}
 
 

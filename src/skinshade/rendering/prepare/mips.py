@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..._core.arrays import FloatArray, ImageArray
+from ..._core.arrays import FloatArray, ImageArray, IndexRows
 from ...shading.normals import map_level
+from . import compiled_fetches as compiled
 
 __all__ = ["Texture", "build_texture"]
 
@@ -32,6 +33,11 @@ class Texture:
     heights: np.ndarray[tuple[int], np.dtype[np.int64]]
 
     @property
+    def sizes(self) -> IndexRows:
+        """First texel, width and height (L, 3) of each level."""
+        return np.stack([self.starts, self.widths, self.heights], axis=1)
+
+    @property
     def size(self) -> int:
         """Longer side of the first level, texels."""
         return int(max(self.widths[0], self.heights[0]))
@@ -49,6 +55,8 @@ class Texture:
 
     def sample(self, uv: FloatArray, level: FloatArray) -> FloatArray:
         """Return trilinear values (N, C) at texture coordinates (N, 2) and levels (N,)."""
+        if compiled.serves(self.texels.shape[1]):
+            return compiled.sample_texture(self.texels, self.sizes, uv, level)
         bounded = np.clip(level, 0.0, self.starts.size - 1.0)
         low = bounded.astype(np.int64)
         share = (bounded - low)[:, None]

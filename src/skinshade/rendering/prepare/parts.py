@@ -19,7 +19,7 @@ from ...shading.skin import Skin
 from ..settings import RenderSettings
 from .mips import Texture, build_texture
 
-__all__ = ["PreparedPart", "arrange_parts", "casting_faces", "with_textures"]
+__all__ = ["PreparedPart", "arrange_parts", "casting_faces", "opaque_count", "with_textures"]
 
 
 @dataclass(frozen=True)
@@ -103,9 +103,14 @@ def arrange_parts(scene: Scene, skin: Skin) -> tuple[list[PreparedPart], IntArra
     return parts, mesh.faces[np.concatenate([faces for _, faces in groups])]
 
 
+def opaque_count(parts: Sequence[PreparedPart]) -> int:
+    """Return the number of faces of opaque parts, which come first."""
+    return sum(part.face_count for part in parts if part.opacity is None)
+
+
 def casting_faces(parts: Sequence[PreparedPart], faces: IntArray) -> IntArray:
     """Return the faces (F, 3) that cast shadows: those of opaque parts; all if no part is opaque."""
-    opaque = sum(part.face_count for part in parts if part.opacity is None)
+    opaque = opaque_count(parts)
     return faces[:opaque] if opaque else faces
 
 

@@ -7,14 +7,15 @@ so that faces need no clipping, and they give perspective-correct derivatives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, IntArray, dot
+from . import compiled_rasterizer as compiled
+from .fragments import Fragments, Hidden, screen_positions
 
 __all__ = ["Fragments", "depth_maps", "rasterize"]
 
@@ -28,49 +29,13 @@ BOX_SLACK = 1e-6
 """Widening of bounding boxes in pixels, because x·w/w differs from x by rounding."""
 
 
-@dataclass(frozen=True)
-class Fragments:
-    """Visible surface: one entry for each covered pixel.
-
-    Attributes
-    ----------
-    pixel
-        (N,) index y·width + x, in rising order.
-    face
-        (N,) index of the visible face.
-    barycentric
-        (N, 3) perspective-correct barycentric coordinates.
-    along_x, along_y
-        (N, 3) change of `barycentric` from one pixel to the next.
-    """
-
-    pixel: IntArray
-    face: IntArray
-    barycentric: FloatArray
-    along_x: FloatArray
-    along_y: FloatArray
-
-    def chosen(self, index: slice | NDArray[np.bool_]) -> Fragments:
-        """Return the entries that an `index` chooses."""
-        return Fragments(
-            self.pixel[index],
-            self.face[index],
-            self.barycentric[index],
-            self.along_x[index],
-            self.along_y[index],
-        )
-
-
-Hidden = Callable[[IntArray, FloatArray], NDArray[np.bool_] | None]
-"""Function of faces (N,) and barycentric coordinates (N, 3) that returns which points show nothing."""
-
-
 def rasterize(
     clip: FloatArray,
     faces: IntArray,
     size: tuple[int, int],
     offset: tuple[float, float] = (0.5, 0.5),
     hidden: Hidden | None = None,
+    opaque: int = 0,
 ) -> Fragments:
     """Return the nearest face at one sample of every pixel.
 
@@ -86,7 +51,11 @@ def rasterize(
         Position of the sample within the pixel, 0..1 each, from the top left.
     hidden
         Function that returns which points show nothing, such as those between the hairs of a card.
+    opaque
+        Number of faces at the beginning of which no point is hidden.
     """
+    if compiled.serves():
+        return compiled.rasterize(clip, faces, size, offset, hidden, opaque)
     width, height = size
     functions, _ = _edge_functions(clip, faces, size)
     planes = _depth_planes(functions, clip[:, 3][faces])
@@ -145,6 +114,8 @@ def depth_maps(
         (height, width) mm, infinite where there is no surface. In the second map the lit side of a body
         does not shadow itself, so that it needs no bias.
     """
+    if compiled.serves():
+        return compiled.depth_maps(clip, depth_mm, faces, size)
     width, height = size
     functions, determinant = _edge_functions(clip, faces, size)
     planes = _depth_planes(functions, depth_mm[faces])
@@ -159,14 +130,6 @@ def depth_maps(
     return nearest.reshape(height, width), facing_away.reshape(height, width)
 
 
-def _screen(clip: FloatArray, size: tuple[int, int]) -> FloatArray:
-    """Return homogeneous pixel coordinates (V, 3): x·w, y·w (down), w."""
-    w = clip[:, 3]
-    x = 0.5 * (clip[:, 0] + w) * size[0]
-    y = 0.5 * (w - clip[:, 1]) * size[1]
-    return np.stack([x, y, w], axis=1)
-
-
 def _edge_functions(
     clip: FloatArray, faces: IntArray, size: tuple[int, int]
 ) -> tuple[FloatArray, FloatArray]:
@@ -174,7 +137,7 @@ def _edge_functions(
 
     A function has the coefficients of x, y and 1, which are zero for a face that is seen edge-on.
     """
-    a, b, c = np.moveaxis(_screen(clip, size)[faces], 1, 0)
+    a, b, c = np.moveaxis(screen_positions(clip, size)[faces], 1, 0)
     rows = np.stack([_cross(b, c), _cross(c, a), _cross(a, b)], axis=1)
     determinant = dot(a, rows[:, 0])
     x, y, w = np.abs(a).T
@@ -238,7 +201,7 @@ def _candidates(
 ) -> Iterator[tuple[IntArray, IntArray, IntArray]]:
     """Yield batches (face, x, y) of all pixels in the bounding boxes of faces."""
     width, height = size
-    screen = _screen(clip, size)
+    screen = screen_positions(clip, size)
     behind: NDArray[np.bool_] = np.asarray(screen[:, 2] <= 1e-9)
     xy = screen[:, :2] / np.where(behind, 1.0, screen[:, 2])[:, None]
     a, b, c = (xy[corner] for corner in faces.T)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates, maximum_filter, minimum_filter
 
 from ..._core.arrays import FloatArray, dot
@@ -13,10 +14,12 @@ from ...params.choices import ShadowFilter
 from ...shading.shadow import (
     SHADOW_BIAS_MM,
     lit_share,
+    shadow_disk,
     shadow_receiver,
     shadow_slope,
     variance_shadow,
 )
+from . import compiled_fetches as compiled
 from .light_view import MAP_SIZE
 from .shadow_map import FILTER_TAPS, ShadowMap, blurred_moments
 
@@ -63,6 +66,8 @@ class PercentageCloserFilter(WideFilter):
         Width of the filter, mm.
     reach
         Distance within which `nearest_mm` and `farthest_mm` are searched, texels.
+    occluder_mm
+        (S, S) depth of the nearest occluder, float32.
     nearest_mm, farthest_mm
         (S, S) least and greatest depth of occluders within the reach. Points in front of all occluders or
         behind all of them need no taps.
@@ -71,6 +76,7 @@ class PercentageCloserFilter(WideFilter):
     shadow_map: ShadowMap
     width_mm: float
     reach: int
+    occluder_mm: NDArray[np.float32]
     nearest_mm: FloatArray
     farthest_mm: FloatArray
 
@@ -84,6 +90,7 @@ class PercentageCloserFilter(WideFilter):
             shadow_map,
             width_mm,
             reach,
+            shadow_map.occluder_mm.astype(np.float32),
             minimum_filter(shadow_map.occluder_mm, size=size, mode="nearest"),
             maximum_filter(shadow_map.occluder_mm, size=size, mode="nearest"),
         )
@@ -114,14 +121,13 @@ class PercentageCloserFilter(WideFilter):
         bright = within_reach & (nearest >= depth + margin)
         lit = np.where(dark, 0.0, 1.0)
         partial = np.flatnonzero(~dark & ~bright)
-        lit[partial] = lit_share(
-            self.shadow_map.occluder_mm,
-            uv[partial],
-            depth[partial],
-            np.repeat(radius[partial, None] / MAP_SIZE, 2, axis=1),
-            rise[partial],
-            FILTER_TAPS,
-        )
+        radii_uv = np.repeat(radius[partial, None] / MAP_SIZE, 2, axis=1)
+        points = (uv[partial], depth[partial], radii_uv, rise[partial])
+        if compiled.serves(texels=self.occluder_mm.size):
+            disk = shadow_disk(FILTER_TAPS)
+            lit[partial] = compiled.lit_share(self.occluder_mm, *points, disk)
+        else:
+            lit[partial] = lit_share(self.shadow_map.occluder_mm, *points, FILTER_TAPS)
         return lit
 
 

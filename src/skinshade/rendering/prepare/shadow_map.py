@@ -11,6 +11,7 @@ from ..._core.arrays import FloatArray
 from ...mesh import Mesh
 from ...shading.deep_scatter import inward_offset, mean_thickness, poisson_disk
 from ...shading.shadow import SHADOW_TAPS, shadow_disk, shadow_occluder_depth
+from . import compiled_fetches as compiled
 from .light_view import MAP_SIZE, LightView
 from .rasterizer import depth_maps
 
@@ -117,10 +118,8 @@ def thickness(
     view = shadow_map.view
     coordinates = view.coordinates(inward_offset(position_mm, normal, offset_mm))
     radius_uv = radius_mm / (view.texel_mm(coordinates[:, 3]) * MAP_SIZE)
-    return mean_thickness(
-        shadow_map.nearest_mm,
-        coordinates[:, :2],
-        coordinates[:, 2],
-        np.repeat(radius_uv[:, None], 2, axis=1),
-        taps,
-    )
+    depths_mm, radii_uv = shadow_map.nearest_mm, np.repeat(radius_uv[:, None], 2, axis=1)
+    points = (coordinates[:, :2], coordinates[:, 2], radii_uv)
+    if compiled.serves(texels=depths_mm.size):
+        return compiled.mean_thickness(depths_mm, *points, poisson_disk(taps))
+    return mean_thickness(depths_mm, *points, taps)
