@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import re
-import secrets
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
@@ -234,7 +233,7 @@ def remove_dead_files(folders: Iterable[Path]) -> None:
 
 
 def _temporary_name(suffix: str) -> str:
-    return f"{TEMPORARY_MARK}{MACHINE}-{os.getpid()}-{secrets.token_hex(8)}{suffix}"
+    return f"{TEMPORARY_MARK}{MACHINE}-{os.getpid()}-{os.urandom(8).hex()}{suffix}"
 
 
 def _flush(temporary: Path, name: Path) -> None:

@@ -21,7 +21,6 @@ from .analysis import BakedMesh, analyse
 from .formats import write_mesh
 from .gltf import bake_gltf
 from .gltf_files import own_buffers, write_gltf
-from .maps import texture_maps, write_maps
 from .previous import without_bake
 from .settings import BakeSettings
 
@@ -163,6 +162,8 @@ def _add_maps(
     """Add the maps of every mesh to a set of files; the maps of several meshes are numbered."""
     if not settings.map_size:
         return
+    from .maps import texture_maps, write_maps  # imports the renderer, which costs .2 s
+
     maps = []
     for baked in meshes:  # all maps are computed before the first one is written
         try:

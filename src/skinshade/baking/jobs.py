@@ -33,7 +33,6 @@ from .records import (
     write_record,
 )
 from .settings import BakeSettings, OutputFormat
-from .thumbnails import write_thumbnails
 from .worker import failure_reason
 
 __all__ = ["Job", "JobResult", "failure", "plan_jobs", "run_job", "status_counts"]
@@ -221,6 +220,8 @@ def _run(job: Job) -> JobResult:
             baked = bake(job.source, job.output, job.settings, replaceable=_recorded_files(job))
         job.record.parent.mkdir(parents=True, exist_ok=True)
         if job.with_thumbnail:
+            from .thumbnails import write_thumbnails  # imports the renderer, which costs .2 s
+
             write_thumbnails(job.thumbnail, baked.meshes, Profile.preset(job.settings.profile))
         record = Record(
             source=job.source_name,

@@ -7,7 +7,6 @@ from contextlib import closing
 
 from .._core.errors import ArgumentError
 from .._core.progress import Progress, silent
-from .cluster import run_on_cluster
 from .jobs import Job, JobResult, failure, run_job
 from .worker import failure_reason
 from .workers import run_on_processes
@@ -76,6 +75,8 @@ def _finished_jobs(
     jobs: list[Job], workers: int, cluster: str | None, work: Work
 ) -> Generator[tuple[int, JobResult], None, None]:
     if cluster is not None:
+        from .cluster import run_on_cluster  # imports asyncio
+
         yield from run_on_cluster(jobs, cluster, work)
     elif workers > 1:
         yield from run_on_processes(jobs, workers, work)

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt
 
 from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError, MeshError, OutputError, SkinshadeError
@@ -36,6 +35,8 @@ def texture_maps(mesh: Mesh, analysis: Analysis, size: int) -> dict[str, FloatAr
     MeshError, ArgumentError
         If the mesh has no UVs that span an area, or the size is out of range.
     """
+    from scipy.ndimage import distance_transform_edt  # costs .2 s
+
     if not 4 <= size <= 16384:
         raise ArgumentError(f"map size is {size}; it must be 4..16384 texels")
     if mesh.uvs is None:

@@ -16,7 +16,6 @@ from .._core.units import parse_unit_mm
 from ..baking import BakeSettings, bake
 from ..baking.jobs import JobResult, plan_jobs, status_counts
 from ..baking.library import bake_library
-from ..baking.report import write_page, write_report
 from ..baking.settings import MapFormat, OutputFormat
 from ..mesh.axes import UpAxis
 from ..mesh.rays import RayTracing
@@ -191,6 +190,8 @@ def _bake_many(
             report=_print_result,
         )
     seconds = monotonic() - start
+    from ..baking.report import write_page, write_report  # imports the renderer, which costs .2 s
+
     write_report(jobs, results, output / REPORT)
     if library.report:
         write_page(jobs, results, output / PAGE, seconds=seconds)

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw, ImageFont
 
 from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError
@@ -45,6 +44,8 @@ def parse_variant(text: str, settings: RenderSettings) -> tuple[str, RenderSetti
 
 def side_by_side(pictures: list[FloatArray], labels: list[str]) -> NDArray[np.uint8]:
     """Return a row of n labelled pictures: display values (H, W, 3), 0..1, as (H, n·W, 3) in 8 bits."""
+    from PIL import Image, ImageDraw, ImageFont  # costs .05 s, and only rows of pictures need it
+
     row = Image.fromarray(np.rint(np.concatenate(pictures, axis=1) * 255.0).astype(np.uint8))
     height, width = pictures[0].shape[:2]
     draw = ImageDraw.Draw(row)

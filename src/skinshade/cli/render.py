@@ -11,6 +11,7 @@ from .._core.choice import Choice
 from .._core.errors import ArgumentError
 from .._core.limits import limit_range
 from ..rendering import Backend, Renderer, open_renderer, save_image
+from ..rendering.api import prepare_backend
 from ..rendering.images import check_image_path
 from ..rendering.settings import RenderSettings, check_size
 from ..rendering.tone import display_values
@@ -83,6 +84,7 @@ def render_command(
             allowed = limit_range("frames", 0, turntable)
             raise ArgumentError(f"--turntable is {turntable}; it must be {allowed}")
         variants = [parse_variant(text, settings) for text in compare.split(",")] if compare else []
+        prepare_backend(backend, adapter)
         scene = build_scene(model, material, light)
         _report_parts(scene)
         with terminal_progress() as progress:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import tempfile
+from contextlib import suppress
 from functools import cache
+from threading import Thread
 
 import wgpu
 from wgpu import (
@@ -45,6 +47,7 @@ __all__ = [
     "TextureUsage",
     "adapters",
     "open_device",
+    "open_device_ahead",
 ]
 
 FEATURES = ("float32-filterable", "timestamp-query")
@@ -52,6 +55,11 @@ FEATURES = ("float32-filterable", "timestamp-query")
 full precision in the parity tests, and times of passes."""
 PREFERENCE = ("DiscreteGPU", "IntegratedGPU", "VirtualGPU", "CPU", "Unknown")
 """Types of adapters, in the order in which they are chosen."""
+
+
+_AHEAD: dict[tuple[str | None, bool], Thread] = {}
+_OPENED: dict[tuple[str | None, bool], GPUDevice] = {}
+"""Threads that open devices ahead, and their devices, by the arguments of `open_device`."""
 
 
 @cache
@@ -88,6 +96,10 @@ def open_device(name: str | None = None, *, software: bool = True) -> GPUDevice:
     BackendError
         If there is no such adapter, or it cannot open a device.
     """
+    if (thread := _AHEAD.pop((name, software), None)) is not None:
+        thread.join()
+        if (device := _OPENED.pop((name, software), None)) is not None:
+            return device
     usable = [adapter for adapter in adapters() if software or _kind(adapter) != "CPU"]
     if not usable:
         requested = f" for {name!r}" if name else ""
@@ -100,6 +112,23 @@ def open_device(name: str | None = None, *, software: bool = True) -> GPUDevice:
         if name is None or name.lower() in device_name.lower():
             return _request(adapter)
     raise BackendError(f"no adapter is called {name!r}; there are {', '.join(names)}")
+
+
+def open_device_ahead(name: str | None = None, *, software: bool = True) -> None:
+    """Start to open a device in a thread. The next `open_device` with these arguments returns it.
+
+    Loading a driver takes up to a second, in which the caller can load a scene. Errors are those of
+    `open_device`, which tries again.
+    """
+
+    def work() -> None:
+        with suppress(BackendError):
+            _OPENED[name, software] = open_device(name, software=software)
+
+    if (name, software) not in _AHEAD:
+        thread = Thread(target=work, name="skinshade-device")
+        thread.start()
+        _AHEAD[name, software] = thread
 
 
 def _request(adapter: GPUAdapter) -> GPUDevice:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import ndtr
 
 from .._core.arrays import FloatArray, as_floats
 from .._core.version import __version__
@@ -43,6 +42,8 @@ def diffused_smoothstep(p: FloatArray, s: FloatArray) -> FloatArray:
 
 def _kink(p: FloatArray, s: FloatArray, side: float) -> FloatArray:
     """Return the share of one kink at distances `p` from it; `side` is −1 for the lower, 1 for the upper."""
+    from scipy.special import ndtr  # costs .1 s, and only building a table needs it
+
     # Beyond FAR widths Φ is 0 or 1 and φ is 0: the polynomial remains, or 0.
     z = p / s
     p2, s2 = p * p, s * s

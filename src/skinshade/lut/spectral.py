@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtr
 
 from .._core.arrays import FloatArray
 from .._core.choice import Choice
@@ -100,6 +99,8 @@ def diffuse_grid(
 
 def terminator_bump(x: FloatArray, s: FloatArray, kernel: DiffusionGeometry) -> FloatArray:
     """Return the light that a Gaussian of width s ≪ 1 adds to the lit side at x = π/2 − θ, in radians."""
+    from scipy.special import ndtr  # costs .1 s, and only building a table needs it
+
     z = np.abs(x) / s
     density = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi)
     tail = ndtr(-z)

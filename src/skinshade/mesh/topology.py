@@ -7,7 +7,6 @@ from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 from .._core.arrays import FloatArray, IntArray
 from . import compiled
@@ -85,6 +84,8 @@ class Neighbours:
     @classmethod
     def of(cls, faces: IntArray, count: int) -> Neighbours:
         """Return the neighbours of `count` vertices."""
+        from scipy import sparse  # costs .1 s, and the compiled kernels need no matrix
+
         alone = _perhaps_alone(*half_edges(faces), count)
         one, other = half_edges(faces.astype(np.int32))
         shares = np.ones(one.size)

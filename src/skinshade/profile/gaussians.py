@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import nnls
 
 from .._core.arrays import FloatArray, as_floats
 from .._core.errors import ArgumentError
@@ -106,6 +105,8 @@ def fit_gaussians(
     mixture, residual
         The fit, and max |ΔT| over its frequencies, which is ≤ 4e-4 for Burley's profile.
     """
+    from scipy.optimize import nnls  # costs .4 s; most presets are Gaussians and need no fit
+
     low, high = rms_radius_mm.min() / 300.0, rms_radius_mm.max() * 3.0
     sigmas = np.geomspace(low, high, FIT_LOBES)
     k = np.concatenate([[0.0], np.geomspace(0.01 / high, 0.5 / low, 400)])

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
-from scipy.special import j1
 
 from .._core.arrays import FloatArray, as_floats
 from .._core.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 __all__ = ["TabulatedKernel"]
 
@@ -107,6 +109,8 @@ class AnnuliTransfer:
     @classmethod
     def of(cls, edges: FloatArray, flux: FloatArray) -> AnnuliTransfer:
         """Return the transfer function of annuli."""
+        from scipy.interpolate import CubicSpline  # costs .4 s, and most profiles have no table
+
         ends = _oscillation_ends(edges, flux)
         k = _nodes(edges, ends)
         spline = CubicSpline(np.log(k), _transfer_sum(edges, flux, k))
@@ -170,6 +174,8 @@ def _mean_square_radius(edges: FloatArray, flux: FloatArray) -> FloatArray:
 
 def _transfer_sum(edges: FloatArray, flux: FloatArray, k: FloatArray) -> FloatArray:
     """Return the Hankel transform (n, 3) of annuli at frequencies (n,) > 0."""
+    from scipy.special import j1
+
     step = max(SUMMED_AT_ONCE // edges.size, 1)
     parts = []
     for start in range(0, k.size, step):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from .._core.errors import BackendError
 from .._core.progress import Progress, silent
 from ..scene import Scene
@@ -12,7 +14,7 @@ from .images import RenderedImage
 from .settings import Backend, RenderSettings, check_size
 from .tone import tone_of
 
-__all__ = ["open_renderer", "render"]
+__all__ = ["open_renderer", "prepare_backend", "render"]
 
 
 def open_renderer(
@@ -63,6 +65,21 @@ def open_renderer(
     if choice == Backend.GPU:
         return renderer
     return FallbackRenderer(renderer, lambda: CpuRenderer(scene, progress))
+
+
+def prepare_backend(backend: str = Backend.AUTO, adapter: str | None = None) -> None:
+    """Start to load the driver of the backend that `open_renderer` opens with the same arguments.
+
+    It is loaded in a thread, so that a scene can be loaded at the same time. Errors are those of
+    `open_renderer`.
+    """
+    choice = Backend.of(backend, "backend")
+    if choice == Backend.CPU:
+        return
+    with suppress(ImportError):
+        from ..gpu.device import open_device_ahead
+
+        open_device_ahead(adapter, software=choice == Backend.GPU or adapter is not None)
 
 
 def render(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from scipy.special import ndtr
 
 from .._core.arrays import FloatArray, dot
 from ..lut import Lut
@@ -205,6 +204,8 @@ def relief_bump(m: FloatArray, s: FloatArray) -> FloatArray:
     >>> relief_bump(np.array([-0.5, 0.0, 0.5]), np.array(0.25)).round(4)
     array([0.0021, 0.0997, 0.0021])
     """
+    from scipy.special import ndtr  # costs .1 s, which commands without a picture need not pay
+
     width = np.maximum(s, 1e-9)
     z = np.minimum(np.abs(m) / width, 30.0)
     density = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi)

@@ -52,6 +52,26 @@ def test_without_an_adapter_the_error_says_what_to_install(install):
         device.open_device()
 
 
+def test_a_device_that_was_opened_ahead_is_returned_once(install, monkeypatch):
+    install(adapter("llvmpipe", "CPU"))
+    opened = []
+    monkeypatch.setattr(device, "_request", lambda chosen: opened.append(chosen) or len(opened))
+    device.open_device_ahead()
+    device.open_device_ahead()
+    assert device.open_device("llvm") in (1, 2)
+    first, second = device.open_device(), device.open_device()
+    assert {first, second} <= {1, 2, 3}
+    assert first != second
+    assert len(opened) == 3
+
+
+def test_an_error_ahead_is_raised_by_the_call_that_needs_the_device(install):
+    install()
+    device.open_device_ahead(software=False)
+    with pytest.raises(BackendError, match="no adapter"):
+        device.open_device(software=False)
+
+
 def test_software_adapters_do_not_count_where_hardware_is_required(install):
     install(SOFTWARE)
     with pytest.raises(BackendError, match="no adapter was found"):
