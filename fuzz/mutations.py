@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from random import Random
 
 from .mutate_headers import (
@@ -59,7 +60,9 @@ def mutated(data: bytes, form: str, random: Random, seeds: Sequence[bytes]) -> b
     mutators, changed = MUTATORS[form], data
     while changed == data:  # a value may be replaced by an equal one
         for _ in range(random.choice((1, 1, 1, 1, 2, 2, 3, 5))):
-            changed = random.choice(mutators)(changed, random, seeds)
+            # A mutator that cannot read what the one before has changed leaves it unchanged.
+            with suppress(Exception):
+                changed = random.choice(mutators)(changed, random, seeds)
         changed = changed[:LARGEST_CASE]
     return changed
 

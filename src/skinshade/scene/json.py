@@ -205,10 +205,7 @@ def _profile(profile: Any, material: Material) -> Profile:
     albedo = fields["albedo"]
     if albedo == "mean-of-map":
         albedo = material.albedo.reshape(-1, 3).mean(axis=0, dtype=np.float64)
-    kind = profile.length_kind
-    if kind == "blender-skin-radius":
-        kind = "diffuse-mean-free-path"
-    return Profile.burley(length_mm=profile.length_mm, kind=kind, albedo=albedo)
+    return Profile.burley(length_mm=profile.length_mm, kind=profile.length_kind, albedo=albedo)
 
 
 def _params(material: Any) -> SkinParams:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -215,19 +215,6 @@ OPTIONS = {
     ),
     "view of three numbers": option_case(
         "--view", "1,2,3", call=lambda at: parse_pair("1,2,3", "--view")
-    ),
-    "light of 1e300": Case(
-        (*HEAD, "--light", "0,0,1e300"), ("irradiance", "e+300"), call=light(0.0, 0.0, 1e300)
-    ),
-    "background of 1e300": Case(
-        (*HEAD, "--background", "1e300,0,0"),
-        ("background[0]", "1e+300"),
-        call=lambda at: replace(portrait(at), background=np.array([1e300, 0.0, 0.0])),
-    ),
-    "environment scale of 1e308": Case(
-        (*HEAD, "--env-scale", "1e308"),
-        ("environment scale is 5.5", "e+307"),
-        call=lambda at: sk.Environment.studio(scale=0.55 * 1e308),
     ),
     "background of two numbers": option_case(
         "--background", "1,2", call=lambda at: parse_numbers("1,2", 3, "--background")

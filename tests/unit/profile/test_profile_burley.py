@@ -7,6 +7,8 @@ from scipy.integrate import quad
 import tolerances as tol
 from skinshade._core.errors import ArgumentError
 from skinshade.profile import Profile
+from skinshade.profile.burley import skin_walk_mean_free_path_mm
+from skinshade.profile.dipole import fresnel_diffuse_reflectance
 
 # skin2 of [Jensen2001]: albedo, mean free path and diffuse mean free path of its red channel.
 ALBEDO, FREE_PATH_MM, DIFFUSE_FREE_PATH_MM = 0.623, 0.907, 4.82
@@ -88,3 +90,28 @@ def test_the_kind_has_no_default():
 def test_a_length_that_is_not_positive_is_refused(length):
     with pytest.raises(ArgumentError, match="length_mm"):
         Profile.burley(length_mm=length, kind="shape", albedo=0.5)
+
+
+def test_the_radius_of_the_skin_closure_gives_the_edge_that_its_walk_draws(data_dir):
+    edge = np.load(data_dir / "truth" / "cycles_skin_edge.npz")
+    profile = Profile.burley(
+        length_mm=[3.67, 1.37, 0.68], kind="blender-skin-radius", albedo=[0.545, 0.317, 0.264]
+    )
+    is_used = edge["ks"] <= 3.0
+    error = (profile.transfer(edge["ks"]) - edge["T"])[is_used]
+    assert np.abs(np.sqrt(np.mean(error**2, axis=0))).max() <= tol.SKIN_CLOSURE_EDGE.value
+    assert np.allclose(
+        profile.rms_radius_mm, [1.92, 1.04, 0.57], atol=0.01 * tol.PUBLISHED_DIGIT.value
+    )
+
+
+@pytest.mark.parametrize("albedo", [1e-4, 0.3, 0.9, 0.999])
+def test_the_skin_closure_is_a_dipole_of_the_albedo(albedo):
+    """Its reduced albedo is found by bisection; the dipole of that albedo has the albedo again."""
+    albedos = np.full(3, albedo)
+    ratio = skin_walk_mean_free_path_mm(np.ones(3), albedos)  # √(3 (1 − α'))
+    reduced = 1.0 - ratio**2 / 3.0
+    reflected = fresnel_diffuse_reflectance(1.4)
+    boundary = 4.0 / 3.0 * (1.0 + reflected) / (1.0 - reflected)
+    again = 0.5 * reduced * (1.0 + np.exp(-boundary * ratio)) * np.exp(-ratio)
+    assert np.allclose(again, albedo, rtol=tol.ROUNDING_SUMS.value)

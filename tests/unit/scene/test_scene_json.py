@@ -224,7 +224,7 @@ def test_the_scene_of_the_scan_has_the_values_of_its_file(data_dir):
     assert scene.material.params.reflectance == pytest.approx((0.4 / 2.4) ** 2)
     mean = scene.material.albedo.mean(axis=(0, 1), dtype=np.float64)
     length_mm = material["profile"]["length_mm"]
-    profile = Profile.burley(length_mm=length_mm, kind="diffuse-mean-free-path", albedo=mean)
+    profile = Profile.burley(length_mm=length_mm, kind="blender-skin-radius", albedo=mean)
     assert np.allclose(scene.material.profile.rms_radius_mm, profile.rms_radius_mm)
     assert scene.material.normal.shape == scene.material.albedo.shape == (1024, 1024, 3)
     assert scene.environment.scale == stated["environment"]["scale"]

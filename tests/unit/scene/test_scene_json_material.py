@@ -114,7 +114,7 @@ LENGTH_KINDS = [
     ("mean-free-path-searchlight", "mean-free-path-searchlight"),
     ("mean-free-path-diffuse", "mean-free-path-diffuse"),
     ("diffuse-mean-free-path", "diffuse-mean-free-path"),
-    ("blender-skin-radius", "diffuse-mean-free-path"),
+    ("blender-skin-radius", "blender-skin-radius"),
 ]
 
 
