@@ -46,6 +46,7 @@ INDEX_KINDS = {np.dtype(np.int32): 2, np.dtype(np.int64): 3}
 ROW_KINDS = {"points": FLOAT_KINDS, "faces": INDEX_KINDS, "rows": FLOAT_KINDS | INDEX_KINDS}
 """Parameters whose type the kernel learns: a pointer, and the number of the type as in kernels.h."""
 TABLES: dict[str, DTypeLike] = {
+    "float*": np.float32,
     "double*": np.float64,
     "float*": np.float32,
     "uint8*": np.uint8,
@@ -107,6 +108,7 @@ KERNELS: dict[str, str] = {
     "ray_hits": "uint8* double* uint32* int64 double* double* range double* int64* double*",
     "ray_blocks": "uint8* double* uint32* int64 double* double* double* range uint8*",
     "ray_sums": "uint8* double* uint32* int64 double* double* int64 range double* int64 int64 double*",
+    "sample_volume": "float* int64 float* range double float*",
     "uv_ratios": "points double* faces int64 range double*",
     "raster_nearest": "double* double* int64* int64 int64 double* range double* int64*",
     "raster_list": (

@@ -60,10 +60,12 @@ def usable_faces(
 def _perhaps_coincident(welded: IntArray) -> IntArray:
     """Return the indices of faces (F, 3) that include all faces with the corners of another face.
 
-    Every position has a random number. Faces with the same corners in any order have equal sums of these
-    numbers. Sorting the sums alone is fast; few meshes need more.
+    Every position has a number of mixed bits [Steele2014]. Faces with the same corners in any order have
+    equal sums of these numbers. Sorting the sums alone is fast; few meshes need more.
     """
-    number = np.random.default_rng(1).integers(1, 1 << 61, int(welded.max()) + 1)
+    number = np.arange(1, int(welded.max()) + 2, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C15)
+    for shift, factor in ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB)):
+        number = (number ^ (number >> np.uint64(shift))) * np.uint64(factor)
     sums = number[welded[:, 0]] + number[welded[:, 1]] + number[welded[:, 2]]
     ordered = np.sort(sums)
     repeated = ordered[1:][ordered[1:] == ordered[:-1]]

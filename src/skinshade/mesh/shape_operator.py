@@ -236,7 +236,12 @@ def _median_edge(p: FloatArray, faces: IntArray) -> float:
         compiled.side_squares(p, faces, step) if compiled.serves(p) else _squares(p, faces[::step])
     )
     square = square[square > 0.0]
-    return float(np.sqrt(np.median(square))) if square.size else 0.0
+    if not square.size:
+        return 0.0
+    # The mean of both middle values; np.median imports masked arrays, which costs .01 s.
+    low, high = (square.size - 1) // 2, square.size // 2
+    ordered = np.partition(square, (low, high))
+    return float(np.sqrt(0.5 * (ordered[low] + ordered[high])))
 
 
 def _squares(p: FloatArray, faces: IntArray) -> FloatVector:

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from native_twins import numpy_twins
 from skinshade._core.errors import ArgumentError
 from skinshade.heads import builtin_head
 from skinshade.heads.maps import head_maps
@@ -22,6 +23,15 @@ def test_equal_seeds_give_the_same_bytes_and_other_seeds_do_not(small_maps, name
     first, again, other = (getattr(maps, name) for maps in small_maps)
     assert first.tobytes() == again.tobytes()
     assert first.tobytes() != other.tobytes()
+
+
+def test_the_maps_have_the_same_bytes_without_compiled_kernels(small_maps):
+    mesh = builtin_head().mesh
+    arrays = (mesh.positions_mm, mesh.normals, mesh.uvs, mesh.faces, mesh.attributes["_REGION"])
+    with numpy_twins():
+        twin = head_maps(*arrays, size=SIZE)
+    for name in NAMES:
+        assert getattr(small_maps[0], name).tobytes() == getattr(twin, name).tobytes()
 
 
 def test_seeds_change_the_mean_albedo_little(small_maps):

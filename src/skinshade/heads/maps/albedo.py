@@ -61,11 +61,14 @@ def skin_colours(
     freckles = ramp(fine + 0.35 * finest, 2.05, 2.6) * ramp(coarse + 1.6 * s.red, 0.1, 1.5)
     melanin += 0.22 * freckles * (1.0 - s.lips)
     plain = np.flatnonzero((np.abs(p[:, 0]) < 64.0) & (s.lips < 0.1) & (s.thin < 0.3))
+    greatest = float(np.abs(finest).max(initial=0.0))
     for _ in range(11):
         centre = p[plain[int(rng.integers(len(plain)))]]
         radius = float(rng.uniform(0.5, 1.35))
-        gap = np.sqrt(np.sum((p - centre) ** 2, axis=1)) + 0.15 * finest
-        melanin += float(rng.uniform(0.5, 0.95)) * ramp(gap, radius * 1.35, radius * 0.6)
+        near = np.flatnonzero(np.abs(p[:, 0] - centre[0]) < 1.35 * radius + 0.15 * greatest)
+        gap = np.sqrt(np.sum((p[near] - centre) ** 2, axis=1)) + 0.15 * finest[near]
+        depth = float(rng.uniform(0.5, 0.95))
+        melanin[near] += depth * ramp(gap, radius * 1.35, radius * 0.6)
     yellow = 0.28 * forehead + 0.15 * scalp + 0.15 * neck + 0.30 * under_eye + 0.08 * coarse
     stubble = 0.8 + 0.14 * fine + 0.12 * finest
     blue = 0.50 * under_eye + 0.55 * beard * stubble + 0.55 * scalp * stubble

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter, map_coordinates
-from scipy.spatial import cKDTree
+
+from ..._core import native
 
 Float32 = NDArray[np.float32]
 
@@ -19,6 +19,8 @@ def smooth_volume(rng: np.random.Generator, cells: int = 48) -> Float32:
 
     A feature is about four samples across.
     """
+    from scipy.ndimage import gaussian_filter  # costs .2 s
+
     field = gaussian_filter(
         rng.standard_normal((cells, cells, cells), dtype=np.float32), 1.1, mode="wrap"
     )
@@ -28,7 +30,16 @@ def smooth_volume(rng: np.random.Generator, cells: int = 48) -> Float32:
 
 def sample_smooth(volume: Float32, points_mm: Float32, feature_mm: float) -> Float32:
     """Return values (N,) of a smooth volume at points (N, 3), mm, with features of `feature_mm`."""
-    coordinates = (points_mm * np.float32(4.0 / feature_mm)).T
+    scale = np.float32(4.0 / feature_mm)
+    if native.available() and points_mm.dtype == np.float32:
+        values = np.empty(len(points_mm), dtype=np.float32)
+        points, ranges = np.ascontiguousarray(points_mm), native.blocks(len(points_mm))
+        arguments = np.ascontiguousarray(volume), len(volume), points, float(scale), values
+        native.run("sample_volume", ranges, *arguments)
+        return values
+    from scipy.ndimage import map_coordinates
+
+    coordinates = (points_mm * scale).T
     return np.asarray(
         map_coordinates(volume, coordinates, output=np.float32, order=1, mode="grid-wrap"),
         dtype=np.float32,
@@ -42,6 +53,8 @@ def cellular_volume(rng: np.random.Generator, samples: int, across: int) -> tupl
     in units of the mean spacing of the points. Each of the ``across**3`` cells of a jittered lattice
     holds one point.
     """
+    from scipy.spatial import cKDTree
+
     lattice = np.stack(np.meshgrid(*[np.arange(across)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     seeds = (lattice + rng.uniform(0.08, 0.92, lattice.shape)) % across
     tree = cKDTree(seeds, boxsize=np.full(3, float(across)))
