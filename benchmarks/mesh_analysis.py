@@ -19,7 +19,9 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +34,8 @@ from skinshade.mesh.topology import open_edge_counts, weld
 
 SOURCE = Path(__file__).with_name("curvature_2014.cpp")
 PASSES = 2
+NUMPY_THICKNESS = 20_000
+"""Greatest mesh whose thickness NumPy is measured on; it takes 4 s for 10,000 vertices."""
 NUMPY_VERTICES = 1_000_000
 """Greatest mesh that NumPy is measured on; it takes 9 s for a million vertices without normals."""
 MEMORY = """
@@ -174,6 +178,25 @@ def other_rows(side: int, runs: int) -> list[str]:
     return rows
 
 
+def thickness_rows(side: int, runs: int) -> list[str]:
+    """Return the rows of thickness for a small and a large torus, by all casters."""
+    rows = []
+    casters = ["embree"] if find_spec("embreex") else []
+    for across in (side // 10, side):
+        points, faces, normals = mesh(across, True)
+        work = partial(sk.mesh_thickness, points, faces, normals)
+        times = {"compiled": best_ms(min(runs, 3), partial(work, tracing="builtin"))}
+        for tracing in casters:
+            times[tracing] = best_ms(1, partial(work, tracing=tracing))
+        if len(points) <= NUMPY_THICKNESS:
+            with numpy_twins():
+                times["NumPy"] = best_ms(1, partial(work, tracing="builtin"))
+        for name, time_ms in times.items():
+            ratio = f"{time_ms / times['compiled']:.1f}×"
+            rows.append(f"| {len(points):,} | {name} | {time_ms:.0f} | {ratio} |")
+    return rows
+
+
 def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -200,6 +223,10 @@ def main() -> None:
     print("\nOther functions for a million vertices, ms.\n")
     print("| function | compiled | NumPy | ratio |\n|---|---|---|---|")
     for row in other_rows(1000, options.runs):
+        print(row, flush=True)
+    print("\nThickness with 64 rays, ms.\n")
+    print("| vertices | caster | time | ratio |\n|---|---|---|---|")
+    for row in thickness_rows(round(min(options.largest, 1_000_000) ** 0.5), options.runs):
         print(row, flush=True)
 
 

@@ -48,7 +48,6 @@ ROW_KINDS = {"points": FLOAT_KINDS, "faces": INDEX_KINDS, "rows": FLOAT_KINDS | 
 TABLES: dict[str, DTypeLike] = {
     "float*": np.float32,
     "double*": np.float64,
-    "float*": np.float32,
     "uint8*": np.uint8,
     "uint32*": np.uint32,
     "uint64*": np.uint64,

@@ -50,7 +50,8 @@ class BakeSettings:
     rays
         Rays at each vertex for the thickness, 1..4096.
     tracing
-        Ray caster: ``embree``, ``builtin``, or ``auto`` for Embree where it is installed.
+        Ray caster: ``embree``; ``builtin``; or ``auto`` for the compiled one, else Embree where it is
+        installed, else NumPy's.
     map_size
         Texels along a side of the texture maps that are written beside the asset, 4..16384; 0 for no maps.
     map_format

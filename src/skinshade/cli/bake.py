@@ -56,7 +56,8 @@ class AnalysisOptions:
     smoothing: Annotated[int, typer.Option(help="Smoothing passes over the curvature, 0..100.")] = 2
     rays: Annotated[int, typer.Option(help="Rays at every vertex for the thickness, 1..4096.")] = 64
     tracing: Annotated[
-        RayTracing, typer.Option(help="Ray caster; auto is Embree where it is installed.")
+        RayTracing,
+        typer.Option(help="Ray caster; auto is the compiled one, else Embree if installed."),
     ] = RayTracing.AUTO
     map_size: Annotated[
         int,

@@ -58,7 +58,7 @@ def open_caster(
 ) -> RayCaster:
     """Return a ray caster for a mesh: positions (V, 3), faces (F, 3).
 
-    The compiled hierarchy takes half the memory of Embree's per triangle, and is exact in float64.
+    The compiled hierarchy intersects in float64, Embree in float32.
 
     Raises
     ------

@@ -97,8 +97,11 @@ def mesh_thickness(
     Returns
     -------
     (V,) or (P,)
-        Thickness in the unit of `positions`. With 64 rays it is within 1 % of the mean over the cone on
-        smooth bodies. Vertices that no face uses have the thickness of a used vertex at their position.
+        Thickness in the unit of `positions`. With 64 rays, 95 % of the vertices of a smooth body are within
+        1.5 % of the mean over the cone, and half of them within 1 %; with `points`, all are within 1 %. On
+        heads the median error is the same, and 95 % of the vertices are within 7 %, as with all rays: 64
+        rays do not resolve the folds of lids and lips. Vertices that no face uses have the thickness of a
+        used vertex at their position.
 
     Raises
     ------

@@ -162,6 +162,7 @@ SKN_EXPORT void SKN(ray_blocks)(const uint8_t *nodes, const double *corners, con
 SKN_EXPORT void SKN(ray_sums)(const uint8_t *nodes, const double *corners, const uint32_t *ids, int64_t root,
                               const double *origins, const double *normals, int64_t points, int64_t first,
                               int64_t last, const double *sets, int64_t set_count, int64_t rays, double *sums);
+
 /* noise.c */
 SKN_EXPORT void SKN(sample_volume)(const float *volume, int64_t size, const float *points, int64_t first,
                                    int64_t last, double scale, float *values);
