@@ -201,10 +201,14 @@ def _large_and_inside(array: NDArray[Any], low: float, high: float) -> bool:
 
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Return the scalar product over the last axis, which is short: a sum over its elements."""
-    result: FloatArray = a[..., 0] * b[..., 0]
-    for axis in range(1, a.shape[-1]):
-        result = result + a[..., axis] * b[..., axis]
+    """Return the scalar product over the last axis, which is short: a sum over its elements.
+
+    A product beyond the range of the type is infinite, without a warning.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        result: FloatArray = a[..., 0] * b[..., 0]
+        for axis in range(1, a.shape[-1]):
+            result = result + a[..., axis] * b[..., axis]
     return result
 
 

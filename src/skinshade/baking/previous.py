@@ -113,7 +113,9 @@ def _remove_accessors(document: dict[str, Any], accessors: set[int]) -> _End | N
 
 def _objects(value: Any, name: str) -> Iterator[dict[str, Any]]:
     """Yield every object at the key `name` in a part of a document, or in an array at this key."""
-    for key, entry in value.items() if isinstance(value, dict) else enumerate(value or ()):
+    if not isinstance(value, (dict, list)):
+        return
+    for key, entry in value.items() if isinstance(value, dict) else enumerate(value):
         if key == name:
             yield from (item for item in _listed(entry) if isinstance(item, dict))
         if isinstance(entry, (dict, list)):

@@ -167,3 +167,8 @@ def test_positions_are_accepted_to_the_greatest_coordinate(value):
     assert as_positions("points", [[0.0, value, 0.0]]).tolist() == [[0.0, value, 0.0]]
     with pytest.raises(ArgumentError, match=r"points\[0, 1\] is .*1e\+15"):
         as_positions("points", [[0.0, 1.001 * value, 0.0]])
+
+
+def test_a_scalar_product_beyond_the_range_is_infinite_without_a_warning():
+    vector = np.array([[1e200, 1.0, 1.0], [np.inf, 1.0, 0.0], [3.0, 4.0, 0.0]])
+    assert dot(vector, vector).tolist() == [np.inf, np.inf, 25.0]

@@ -130,3 +130,11 @@ def test_a_document_without_a_note_of_a_bake_is_returned_as_it_is(tmp_path):
 
     gltf = changed_document(tmp_path, forget)
     assert without_bake(gltf) is gltf
+
+
+@pytest.mark.parametrize("primitives", [True, 3, "text", None, [True], [{"attributes": 5}]])
+def test_primitives_of_another_type_are_left_to_the_reader(tmp_path, primitives):
+    model = gltf_shapes.plain()
+    model.document["meshes"] = [{"primitives": primitives, "extras": {"skinshade": {}}}]
+    gltf = read_gltf(gltf_shapes.write(model, tmp_path))
+    assert without_bake(gltf).json["meshes"][0].get("primitives") == primitives
