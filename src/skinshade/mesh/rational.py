@@ -17,7 +17,7 @@ from .laplacian import Laplacian
 __all__ = ["MOST_POINTS", "transferred"]
 
 MOST_POINTS = 500_000
-"""Most points of a mesh whose matrix is factorised, which takes 20 s and 3 GB."""
+"""Most points of a mesh whose matrix is factorised: 250,000 take 8 s and 1.3 GB, more than in proportion."""
 MOST_STEPS = 400
 """Steps after which the iteration counts as divergent."""
 CHECK_EVERY = 12
