@@ -132,12 +132,12 @@ class Embree:
         start = ((origins - self._middle) / self._size).astype(np.float32)
         hits = self._scene.run(start, np.asarray(directions, dtype=np.float32), output=True)
         face = hits["primID"].astype(np.int64)
-        found = face >= 0
+        is_hit = face >= 0
         weights = np.stack([1.0 - hits["u"] - hits["v"], hits["u"], hits["v"]], axis=1)
         return RayHits(
-            np.where(found, hits["tfar"] * self._size, np.inf),
+            np.where(is_hit, hits["tfar"] * self._size, np.inf),
             face,
-            np.where(found[:, None], weights, 0.0).astype(np.float64),
+            np.where(is_hit[:, None], weights, 0.0).astype(np.float64),
         )
 
     def occluded(

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..._core import native
 from ..._core.arrays import FloatArray, IntArray
-from .fragments import Fragments, Hidden, screen_positions
+from .fragments import Fragments, Hidden, keep_nearest, screen_positions
 
 __all__ = ["depth_maps", "rasterize", "serves"]
 
@@ -46,9 +46,7 @@ def rasterize(
         absent = hidden(face, ends) if face.size else None
         if absent is not None:
             face, pixel, depth = face[~absent], pixel[~absent], depth[~absent]
-        np.minimum.at(nearest, pixel, depth)
-        first = depth == nearest[pixel]
-        winner[pixel[first]] = face[first]
+        keep_nearest(nearest, winner, face, pixel, depth)
     pixel = np.flatnonzero(winner >= 0)
     return _resolved(screen, faces, winner[pixel], pixel, view)
 

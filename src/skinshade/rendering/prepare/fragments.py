@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, IntArray
 
-__all__ = ["Fragments", "Hidden", "screen_positions"]
+__all__ = ["Fragments", "Hidden", "keep_nearest", "screen_positions"]
 
 
 @dataclass(frozen=True)
@@ -56,3 +56,20 @@ def screen_positions(clip: FloatArray, size: tuple[int, int]) -> FloatArray:
     x = 0.5 * (clip[:, 0] + w) * size[0]
     y = 0.5 * (w - clip[:, 1]) * size[1]
     return np.stack([x, y, w], axis=1)
+
+
+def keep_nearest(
+    nearest: FloatArray, winner: IntArray, face: IntArray, pixel: IntArray, depth: FloatArray
+) -> None:
+    """Enter samples into a buffer of depths; the last of equally near samples of a pixel wins.
+
+    Parameters
+    ----------
+    nearest, winner
+        (P,) least depth and its face at every pixel, which are changed.
+    face, pixel, depth
+        (N,) face, pixel and depth of every sample.
+    """
+    np.minimum.at(nearest, pixel, depth)
+    first = depth == nearest[pixel]
+    winner[pixel[first]] = face[first]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, IntArray, dot
 from . import compiled_rasterizer as compiled
-from .fragments import Fragments, Hidden, screen_positions
+from .fragments import Fragments, Hidden, keep_nearest, screen_positions
 
 __all__ = ["Fragments", "depth_maps", "rasterize"]
 
@@ -67,9 +67,7 @@ def rasterize(
             absent = hidden(face, _barycentric(functions[face], x[:, None], y[:, None])[0])
             if absent is not None:
                 face, pixel, depth = face[~absent], pixel[~absent], depth[~absent]
-        np.minimum.at(nearest, pixel, depth)
-        first = depth == nearest[pixel]
-        winner[pixel[first]] = face[first]
+        keep_nearest(nearest, winner, face, pixel, depth)
     pixel = np.flatnonzero(winner >= 0)
     face = winner[pixel]
     rows = functions[face]
