@@ -99,7 +99,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Fault:
-    """What a case must not do.
+    """Fault that a case reveals: an exception, a warning, a hang, or text on the terminal.
 
     Attributes
     ----------

@@ -305,8 +305,7 @@ def _check_stated_size(file: Path, reason: str, error: type[FileError]) -> None:
 
 def _opening_bytes(file: Path) -> int:
     """Return the bytes that an image may take when it is opened."""
-    with file.open("rb") as stream:
-        start = stream.read(4)
+    start = _beginning(file)
     if start.startswith(DECODED_WHEN_OPENED):
         return 4 * _allowed_pixels(file)
     return 4 * _allowed_pixels(file) * (limits().image_channels if start in MANY_CHANNELS else 4)
@@ -315,14 +314,15 @@ def _opening_bytes(file: Path) -> int:
 def _allowed_pixels(file: Path) -> int:
     """Return the number of pixels that an image with the size of this file may have."""
     most = limits()
-    free = 0 if _is_jpeg(file) else most.image_free_pixels
+    free = 0 if _beginning(file).startswith(JPEG) else most.image_free_pixels
     by_size = free + most.image_pixels_per_byte * file.stat().st_size
     return min(most.image_pixels, by_size)
 
 
-def _is_jpeg(file: Path) -> bool:
+def _beginning(file: Path) -> bytes:
+    """Return the first four bytes, which tell the formats apart."""
     with file.open("rb") as stream:
-        return stream.read(2) == JPEG
+        return stream.read(4)
 
 
 def _check_size(file: Path, width: int, height: int, error: type[FileError]) -> None:
@@ -334,7 +334,7 @@ def _check_size(file: Path, width: int, height: int, error: type[FileError]) -> 
         raise error(f"{claim}; {limit_advice('image_pixels', width * height)}")
     if width * height > _allowed_pixels(file):
         size = file.stat().st_size
-        if _is_jpeg(file):
+        if _beginning(file).startswith(JPEG):
             advice = limit_advice("image_pixels_per_byte", -(-width * height // size))
         else:
             needed = width * height - most.image_pixels_per_byte * size

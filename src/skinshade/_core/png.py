@@ -8,6 +8,7 @@ from __future__ import annotations
 import struct
 import zlib
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import takewhile
 from pathlib import Path
@@ -43,6 +44,8 @@ PASSES = (
 )
 """First column and row, and steps between columns and rows, of the passes of an interlaced image."""
 FILTERS = 5
+BEYOND = 1 << 62
+"""Offset after the last row of any image."""
 STEP = 1 << 20
 """Bytes that are read or decompressed at once."""
 
@@ -86,13 +89,13 @@ class PngPixels:
     def _check_rows(self) -> None:
         wanted = sum(count * (1 + size) for count, size in self.rows)
         starts = self._row_starts()
-        start, done = next(starts, wanted), 0
+        start, done = next(starts, BEYOND), 0
         inflater = zlib.decompressobj()
         for block in self._decompressed(inflater):
             while start < done + len(block):
-                if start < wanted and block[start - done] >= FILTERS:
+                if block[start - done] >= FILTERS:
                     raise ArgumentError(f"a row has the unknown filter {block[start - done]}")
-                start = next(starts, 1 << 62)
+                start = next(starts, BEYOND)
             done += len(block)
             if done > wanted + STEP:
                 raise ArgumentError("its pixels go on after the last row")
@@ -115,9 +118,7 @@ class PngPixels:
                 stream.seek(offset)
                 for start in range(0, length, STEP):
                     data = stream.read(min(STEP, length - start))
-                    while data and not inflater.eof:
-                        yield inflater.decompress(data, STEP)
-                        data = inflater.unconsumed_tail
+                    yield from _inflated_blocks(inflater, data)
 
 
 def check_png(file: Path, error: type[FileError]) -> PngPixels | None:
@@ -247,11 +248,17 @@ def _inflated(chunk: _Chunk, most: int) -> int:
         data = keyword + b"\0" + rest[2:]
     fields = data.split(b"\0", TEXT[kind])
     compressed = fields[-1][1:] if kind != b"iTXt" else fields[-1]
-    total, inflater = 0, zlib.decompressobj()
-    try:
-        while compressed and total < most:
-            total += len(inflater.decompress(compressed, min(most - total, STEP)))
-            compressed = inflater.unconsumed_tail
-    except zlib.error:
-        pass  # readers ignore such text
+    total = 0
+    with suppress(zlib.error):  # readers ignore such text
+        for block in _inflated_blocks(zlib.decompressobj(), compressed):
+            total += len(block)
+            if total >= most:
+                return most
     return total
+
+
+def _inflated_blocks(inflater: Any, data: bytes) -> Iterator[bytes]:
+    """Yield what compressed bytes decompress to, in blocks of at most 1 MiB."""
+    while data and not inflater.eof:
+        yield inflater.decompress(data, STEP)
+        data = inflater.unconsumed_tail
