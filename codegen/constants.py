@@ -14,7 +14,7 @@ __all__ = ["constants_source", "definition"]
 HEADER = "// Generated from the specification by `python -m codegen`."
 
 LIBRARY: dict[ModuleType, tuple[str, ...]] = {
-    ambient: ("COSINE_BANDS",),
+    ambient: ("COSINE_BANDS", "LEAST_HIDDEN"),
     deep_scatter: ("CLASSIC_WRAP",),
     direct: ("SMOOTH_SHORTFALL",),
     energy: ("GAIN_SLOPE",),

@@ -76,6 +76,9 @@ PARITY = {
     ),
     "skin_gloss_of_relief": Parity(4e-6, 0.0, "log2 near 1"),
     "skin_gloss_from_roughness": Parity(4e-6, 0.0, "log2 near 1"),
+    "skin_occluded_reflection": Parity(
+        5e-4, 1e-4, "bounced light over a hidden share of .02, a difference of nearly equal numbers"
+    ),
     "skin_specular_visibility": Parity(
         2e-5, 0.0, "the root of a difference of nearly equal numbers, near a base of 0"
     ),

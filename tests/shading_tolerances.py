@@ -147,7 +147,10 @@ FACETED_SHADING = Tolerance(
     3e-3, "points between 2,562 vertices lie inside the ball; .0018 measured"
 )
 NO_SCATTER = Tolerance(2e-3, "TABLE_EDGE of two lights, times an albedo of .48; .0008 measured")
-FURNACE = Tolerance(1e-4, "harmonics of a constant in float32; .00002 measured; relative")
+FURNACE = Tolerance(
+    3e-4,
+    "harmonics of the visible sky between the vertices of a ball of 642; .00016 measured; relative",
+)
 MIRRORED_BALL = Tolerance(
     1e-4, "ball and lights are mirrored, shadow taps are not; .000014 measured"
 )
@@ -202,18 +205,13 @@ PHONG_LOBE = Tolerance(
 
 # -- ambient light at the vertices -----------------------------------------------------------------
 
-CAVITY_LEAK = Tolerance(0.02, "walls seen edge on, within the bias of 1.5 mm; .013 measured")
-BOWL_MEAN = Tolerance(0.04, "80 directions, a bias of 1.5 mm; share of the sky")
-BOWL_RMS = Tolerance(0.07, "as BOWL_MEAN, RMS over the vertices")
-FIRST_BOUNCE = Tolerance(
-    0.3, "the bounce is a model of nearby light, not a solution of transport; relative"
+CAVITY_LEAK = Tolerance(1e-9, "no ray leaves a closed body")
+BOWL_MEAN = Tolerance(
+    0.01, "256 directions over faces that are chords of the sphere; share of the sky"
 )
-CHORD_TEXELS_MM = Tolerance(
-    3.0, "chords of a ball of 80 mm in texels of .75 mm, whose depth is added, mm"
-)
-SLAB_THROUGH = Tolerance(
-    0.33, "80 directions, .5 mm·tan added at a slant; red; .27 measured; relative"
-)
+BOWL_RMS = Tolerance(0.02, "as BOWL_MEAN, RMS over the vertices")
+BOUNCES = Tolerance(0.03, "as BOWL_MEAN, after four bounces; relative")
+SLAB_THROUGH = Tolerance(0.06, "16 directions behind a vertex; relative")
 
 # -- the built-in head -----------------------------------------------------------------------------
 

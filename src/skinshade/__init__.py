@@ -16,9 +16,11 @@ if TYPE_CHECKING:
     from .heads import Head, builtin_head, head_scene, load_head
     from .lut import Lut, build_shadow_lut, build_transfer_lut
     from .mesh import (
+        AmbientTransfer,
         Mesh,
         diffuse_on_mesh,
         load_mesh,
+        mesh_ambient_transfer,
         mesh_curvature,
         mesh_curvature_tensor,
         mesh_diffused_normals,
@@ -44,6 +46,7 @@ if TYPE_CHECKING:
     from .shading.tables import build_curvature_lut
 
 __all__ = [
+    "AmbientTransfer",
     "BakeSettings",
     "Camera",
     "DirectionalLight",
@@ -77,6 +80,7 @@ __all__ = [
     "load_head",
     "load_mesh",
     "load_scene",
+    "mesh_ambient_transfer",
     "mesh_curvature",
     "mesh_curvature_tensor",
     "mesh_diffused_normals",
@@ -104,6 +108,8 @@ _MODULES = {
         "mesh_curvature",
         "mesh_curvature_tensor",
         "mesh_diffused_normals",
+        "AmbientTransfer",
+        "mesh_ambient_transfer",
         "mesh_thickness",
         "mesh_uv_scale",
         "vertex_attributes",

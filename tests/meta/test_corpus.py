@@ -16,7 +16,7 @@ from skinshade.scene.images import read_image
 
 resource = pytest.importorskip("resource", reason="measures memory")
 FOLDER = Path(__file__).resolve().parents[1] / "corpus"
-"""The tests read the files by names relative to the parent of this folder, so that errors have the same text on every machine."""
+"""Names relative to the parent of this folder give errors the same text on every machine."""
 ROW = re.compile(r"\| `([^`]+)` \| ([^|]+) \| `(.+)` \|")
 TABLE = [
     match.groups()
@@ -77,9 +77,7 @@ def outcome(name, folder):
 
 @pytest.mark.filterwarnings("ignore::skinshade._core.errors.UnitWarning")
 @pytest.mark.parametrize(("name", "about", "result"), TABLE, ids=[row[0] for row in TABLE])
-def test_a_file_gives_the_result_of_its_table(
-    tmp_path, capfd, monkeypatch, name, about, result
-):
+def test_a_file_gives_the_result_of_its_table(tmp_path, capfd, monkeypatch, name, about, result):
     monkeypatch.chdir(FOLDER.parent)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     start = time.process_time()

@@ -59,7 +59,7 @@ FURTHER_NAMES = [
     *("Camera", "DirectionalLight", "Environment", "Material", "SkinParams", "SpotLight"),
     *("InputError", "SkinshadeError", "__version__", "BakeSettings", "RenderedImage"),
     *("Skin", "build_transfer_lut", "export_shaders", "gpu", "vertex_attributes"),
-    *("Limits", "Part", "mesh_thickness"),
+    *("AmbientTransfer", "Limits", "Part", "mesh_ambient_transfer", "mesh_thickness"),
 ]
 
 

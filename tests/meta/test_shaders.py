@@ -39,7 +39,10 @@ HOST_ONLY = {
     "tonemap": {"tonemap": "a choice between two functions"},
 }
 """Names of the specification without a twin, with the reasons."""
-RENAMED = {"radiance_sh": ("radiance_sh_red", "radiance_sh_green", "radiance_sh_blue")}
+RENAMED = {
+    name: tuple(f"{name}_{channel}" for channel in ("red", "green", "blue"))
+    for name in ("ambient_transfer", "radiance_sh")
+}
 """Parameters with another form in shaders: a matrix of nine coefficients for every channel."""
 FILES = sorted({signature.file for signature in signatures()})
 

@@ -86,6 +86,14 @@ def light_view(rng):
     return np.tile(m, (COUNT, 1, 1))
 
 
+def sky_harmonics(rng):
+    """Return harmonics that are within those of a visible sky, 0 for a hidden one."""
+    values = rng.uniform(-0.3, 0.3, (COUNT, 3, 3))
+    values[:, 0, 0] = rng.uniform(0.0, 0.282, COUNT)
+    values[:4] = 0.0
+    return values
+
+
 def one_unit_for_all(rng):
     return np.tile(unit(rng)[-1], (COUNT, 1))
 
@@ -167,6 +175,9 @@ VALUES = {
     "sigma_per_mm": rgb(0.05, 3.0),
     "strength": one_for_all(0.0, 4.0),
     "tensor_world": symmetric,
+    "ambient_transfer_blue": sky_harmonics,
+    "ambient_transfer_green": sky_harmonics,
+    "ambient_transfer_red": sky_harmonics,
     "taps": lambda rng: np.full(COUNT, rng.choice([8, 32])),
     "thickness_mm": uniform(0.0, 100.0),
     "to_light": unit,
@@ -178,6 +189,9 @@ VALUES = {
     "uv_scale_mm": one_for_all(100.0, 900.0),
     "view": unit,
     "visibility": uniform(0.0, 1.0),
+    "bounced": rgb(0.0, 1.0),
+    "sky": rgb(0.0, 2.0),
+    "sky_harmonics": sky_harmonics,
 }
 """Functions that draw values, by the parameter's name, which has one meaning in the library."""
 

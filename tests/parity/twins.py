@@ -113,8 +113,14 @@ def expected(signature, values, tables):
             channels = ("red", "green", "blue")
             columns = [values[f"radiance_sh_{channel}"][0].ravel() for channel in channels]
             arguments.append(np.stack(columns, axis=1))
-        elif name.startswith("radiance_sh_"):
+        elif name == "ambient_transfer_red":
+            channels = ("red", "green", "blue")
+            rows = [values[f"ambient_transfer_{channel}"].reshape(-1, 9) for channel in channels]
+            arguments.append(np.stack(rows, axis=1))
+        elif name.startswith(("radiance_sh_", "ambient_transfer_")):
             continue
+        elif name == "sky_harmonics":
+            arguments.append(values[name].reshape(-1, 9))
         elif name in ONE_FOR_ALL:
             arguments.append(float(values[name][0]))
         else:

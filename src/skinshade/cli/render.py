@@ -10,6 +10,7 @@ import typer
 from .._core.choice import Choice
 from .._core.errors import ArgumentError
 from .._core.limits import limit_range
+from ..params.choices import AmbientForm
 from ..rendering import Backend, Renderer, open_renderer, save_image
 from ..rendering.api import prepare_backend
 from ..rendering.images import check_image_path
@@ -59,6 +60,10 @@ def render_command(
     adapter: Annotated[
         str | None, typer.Option(help="Part of the GPU's name; see skinshade doctor.")
     ] = None,
+    ambient: Annotated[
+        AmbientForm,
+        typer.Option(help="Ambient light at the vertices: of the sky, or of its harmonics."),
+    ] = AmbientForm.STATIC,
     compare: Annotated[
         str | None,
         typer.Option(help="Pictures side by side, such as lambert,classic,transfer,transfer+deep."),
@@ -88,7 +93,9 @@ def render_command(
         scene = build_scene(model, material, light)
         _report_parts(scene)
         with terminal_progress() as progress:
-            renderer = open_renderer(scene, backend, progress=progress, adapter=adapter)
+            renderer = open_renderer(
+                scene, backend, progress=progress, adapter=adapter, ambient=ambient
+            )
             if variants:
                 _draw_compared(renderer, scene, extent, samples, variants, output)
             elif turntable:

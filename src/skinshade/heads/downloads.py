@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from .._core.cache import cache_folder
 from .._core.errors import ArgumentError, DownloadError
 
 __all__ = ["SCANS", "Scan", "fetch_scan"]
@@ -70,12 +71,10 @@ def fetch_scan(
     ArgumentError, DownloadError
         If the scan is unknown, a file cannot be downloaded, or its hash differs.
     """
-    import pooch
-
     if name not in SCANS:
         raise ArgumentError(f"there is no scan {name!r}; there are {', '.join(SCANS)}")
     scan = SCANS[name]
-    target = Path(folder) if folder is not None else Path(pooch.os_cache("skinshade"))
+    target = Path(folder) if folder is not None else cache_folder()
     address = base_url or scan.base_url
     return [_fetch(address, file, sha256, target) for file, sha256 in scan.sha256.items()]
 

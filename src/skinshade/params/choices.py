@@ -10,6 +10,7 @@ from .._core.choice import Choice
 __all__ = [
     "SHADER_CHOICES",
     "TERM_VIEWS",
+    "AmbientForm",
     "Antialiasing",
     "MaterialMap",
     "PresentStage",
@@ -42,6 +43,22 @@ class Tier(Choice):
     SCALAR = "scalar"
     TENSOR = "tensor"
     DIFFUSED_NORMALS = "diffused-normals"
+
+
+class AmbientForm(Choice):
+    """Light of the sky at the vertices: that of the sky itself, or of its harmonics of order 2 or 4.
+
+    Harmonics remain valid when the sky turns; order 2 has the 9 numbers that most engines have.
+    """
+
+    STATIC = "static"
+    ORDER_2 = "order-2"
+    ORDER_4 = "order-4"
+
+    @property
+    def order(self) -> int:
+        """Greatest band of the harmonics of the sky that the form needs."""
+        return 4 if self is AmbientForm.ORDER_4 else 2
 
 
 class ShadowFilter(Choice):

@@ -48,10 +48,15 @@ VERTEX_COLUMNS = {
     "diffused_normals": VertexColumn("float3x3", "1", "Normals diffused by the profile."),
     "diffused_curvature": VertexColumn("float3", "1/mm", "Mean curvature diffused by the profile."),
     "visibility": VertexColumn(
-        "float3", "1", "Share of the environment's irradiance that is not occluded."
+        "float3", "1", "Diffused irradiance of the sky, over that of its nine harmonics."
     ),
     "through": VertexColumn("float3", "1", "Irradiance over π that arrives through the body."),
-    "bounced": VertexColumn("float3", "1", "Irradiance over π from lit parts of the body."),
+    "bounced": VertexColumn(
+        "float3", "1", "Diffused irradiance over π from lit parts of the body."
+    ),
+    "sky_harmonics": VertexColumn(
+        "float3x3", "1", "Nine harmonics of the visible part of the sky, weighted by the cosine."
+    ),
     "mesh_relief": VertexColumn(
         "float3", "1", "Length that diffused normals keep in folds of the mesh."
     ),

@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from .._core.errors import BackendError
 from .._core.progress import Progress, silent
+from ..params.choices import AmbientForm
 from ..scene import Scene
 from .backend import Renderer
 from .cpu.renderer import CpuRenderer
@@ -23,6 +24,7 @@ def open_renderer(
     *,
     progress: Progress = silent,
     adapter: str | None = None,
+    ambient: str = AmbientForm.STATIC,
 ) -> Renderer:
     """Open a renderer, which prepares a scene once and draws it many times.
 
@@ -38,6 +40,9 @@ def open_renderer(
     adapter
         Part of the GPU's name. With it, ``auto`` also accepts software adapters, and raises if no adapter
         has this name.
+    ambient
+        Ambient light at the vertices: ``static``, from the sky itself, or ``order-2`` or ``order-4``, from
+        its harmonics, as an engine draws it under a sky that turns.
 
     Raises
     ------
@@ -52,19 +57,19 @@ def open_renderer(
     >>> renderer.draw_display(scene.camera, (64, 36), 1, sk.RenderSettings()).shape
     (36, 64, 3)
     """
-    choice = Backend.of(backend, "backend")
+    choice, form = Backend.of(backend, "backend"), AmbientForm.of(ambient, "ambient")
     if choice == Backend.CPU:
-        return CpuRenderer(scene, progress)
+        return CpuRenderer(scene, progress, form)
     requested = choice == Backend.GPU or adapter is not None
     try:
-        renderer = _gpu_renderer(scene, progress, adapter, software=requested)
+        renderer = _gpu_renderer(scene, progress, adapter, form, software=requested)
     except BackendError:
         if requested:
             raise
-        return CpuRenderer(scene, progress)
+        return CpuRenderer(scene, progress, form)
     if choice == Backend.GPU:
         return renderer
-    return FallbackRenderer(renderer, lambda: CpuRenderer(scene, progress))
+    return FallbackRenderer(renderer, lambda: CpuRenderer(scene, progress, form))
 
 
 def prepare_backend(backend: str = Backend.AUTO, adapter: str | None = None) -> None:
@@ -90,6 +95,7 @@ def render(
     samples: int = 4,
     settings: RenderSettings | None = None,
     progress: Progress = silent,
+    ambient: str = AmbientForm.STATIC,
 ) -> RenderedImage:
     """Draw a scene.
 
@@ -107,6 +113,8 @@ def render(
         Settings of the picture; the defaults of `RenderSettings` if None.
     progress
         Called with the name of the work and the fraction that is done.
+    ambient
+        Ambient light at the vertices; see `open_renderer`.
 
     Returns
     -------
@@ -128,16 +136,16 @@ def render(
     """
     check_size(size, samples)
     settings = settings or RenderSettings()
-    renderer = open_renderer(scene, backend, progress=progress)
+    renderer = open_renderer(scene, backend, progress=progress, ambient=ambient)
     image = renderer.draw(scene.camera, size, samples, settings)
     return RenderedImage.of(image, *tone_of(scene, settings))
 
 
 def _gpu_renderer(
-    scene: Scene, progress: Progress, adapter: str | None, *, software: bool
+    scene: Scene, progress: Progress, adapter: str | None, ambient: AmbientForm, *, software: bool
 ) -> Renderer:
     try:
         from .gpu.renderer import GpuRenderer
     except ImportError as error:
         raise BackendError(f"backend gpu: wgpu cannot be loaded ({error}); use cpu") from None
-    return GpuRenderer(scene, progress, adapter, software)
+    return GpuRenderer(scene, progress, adapter, software, ambient)

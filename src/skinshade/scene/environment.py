@@ -17,7 +17,7 @@ from .._core.arrays import (
     as_rgb,
 )
 from .._core.errors import ArgumentError, ImageFileError
-from ..shading.ambient import sh_basis
+from .._core.harmonics import harmonics
 from ..shading.image_light import (
     LEVEL_SIZE,
     LOBE_POWERS,
@@ -156,15 +156,44 @@ class Environment:
             image += np.array(colour) * edge * edge * (3.0 - 2.0 * edge)
         return cls(image.astype(np.float32), scale)
 
-    def radiance_sh(self) -> FloatArray:
-        """Return the harmonics (9, 3) of bands 0..2, in the order of `skinshade.shading.ambient.sh_basis`."""
+    def radiance_sh(self, order: int = 2) -> FloatArray:
+        """Return the harmonics ((order + 1)², 3) of the radiance, in the order of ``sh_basis``.
+
+        Parameters
+        ----------
+        order
+            Greatest band, 0..4.
+        """
         image = _averaged(self.radiance, WORK_SIZE)
         height, width = image.shape[:2]
         directions = _grid_directions(height, width).reshape(-1, 3)
         weights = np.repeat(_row_solid_angle(height) / width, width)
-        return self.scale * np.einsum(
-            "nb,n,nc->bc", sh_basis(directions), weights, image.reshape(-1, 3)
-        )
+        # The mean has one harmonic; a sum over texels would give it others.
+        light = image.reshape(-1, 3)
+        mean = weights @ light / weights.sum()
+        result = np.einsum("nb,n,nc->bc", harmonics(directions, order), weights, light - mean)
+        result[0] += np.sqrt(4.0 * np.pi) * mean
+        return self.scale * result
+
+    def means_around(self, directions: FloatArray) -> FloatArray:
+        """Return the mean radiance (S, D, 3) of the cells of sets (S, D, 3) of evenly spread directions.
+
+        The cell of a direction has the texels that are nearer to it than to the others of its set.
+        """
+        image = _averaged(self.radiance, WORK_SIZE)
+        height, width = image.shape[:2]
+        texels = _grid_directions(height, width).reshape(-1, 3)
+        weights = np.repeat(_row_solid_angle(height) / width, width)
+        light = weights[:, None] * image.reshape(-1, 3)
+        result = np.empty(directions.shape)
+        for means, own in zip(result, directions, strict=True):
+            nearest = np.concatenate(
+                [(rows @ own.T).argmax(axis=1) for rows in np.array_split(texels, height // 8)]
+            )
+            flux = [np.bincount(nearest, column, len(own)) for column in light.T]
+            covered = np.bincount(nearest, weights, len(own))
+            means[:] = self.scale * np.stack(flux, axis=1) / np.maximum(covered, 1e-12)[:, None]
+        return result
 
     def preconvolved(self) -> PreconvolvedRadiance:
         """Return reflections at every roughness, by damping harmonics, which is smooth at any power."""

@@ -245,23 +245,24 @@ def _ambient(
     gain: FloatArray,
 ) -> dict[str, FloatArray]:
     """Return the terms of ambient light."""
-    band_transfer = None
-    if shading == Shading.TRANSFER:
-        curvature = np.abs(surface.curvature_per_mm)
-        transfers = [skin.transfer(np.sqrt(squared) * curvature) for squared in (2.0, 6.0)]
-        # Band 0 is constant over the body: T(0) = 1.
-        band_transfer = np.stack([gain, *(transfer * gain for transfer in transfers)], axis=1)
-    irradiance = ambient.ambient_irradiance(
-        surroundings.radiance_sh, channel_normals, band_transfer
-    )
+    irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, channel_normals)
+    # Visibility and bounced light are diffused at the vertices.
+    irradiance = irradiance * surroundings.visibility + surroundings.bounced
     n_dot_v = dot(surface.sharp, surface.view)
-    unoccluded = ambient.specular_visibility(
-        n_dot_v, surroundings.visibility.mean(axis=1), 1.0 - surface.gloss
-    )
+    reflected = surroundings.reflected
+    if surroundings.sky_harmonics is not None:
+        direction = specular.reflected(surface.sharp, surface.view)
+        reflected = ambient.occluded_reflection(
+            reflected,
+            surroundings.bounced,
+            surroundings.sky_harmonics,
+            surface.mesh_normal,
+            direction,
+        )
     fresnel = specular.ambient_specular_fresnel(n_dot_v, surface.gloss, surface.reflectance)
     terms = {
-        "ambient": irradiance * surroundings.visibility + surroundings.bounced,
-        "ambient_specular": surroundings.reflected * (fresnel * unoccluded)[:, None],
+        "ambient": irradiance * gain,
+        "ambient_specular": reflected * fresnel[:, None],
     }
     if shading == Shading.TRANSFER and surroundings.through is not None:
         terms["ambient_deep_scatter"] = (

@@ -97,13 +97,16 @@ class Ambient:
     radiance_sh
         (9, 3) harmonic coefficients of the environment's radiance.
     visibility
-        (N, 3) share of the environment's irradiance that is not occluded, 0..1.
+        (N, 3) irradiance that arrives from the environment, over that of its harmonics at the mesh normal.
     bounced
         (N, 3) irradiance over π from lit parts of the body that occlude the environment.
     reflected
         (N, 3) preconvolved radiance in the mirror direction, of both lobes.
     through
         (N, 3) irradiance over π that arrives through the body, or None.
+    sky_harmonics
+        (N, 9) harmonics of the visible part of the sky, weighted by the cosine with the mesh normal; None
+        if nothing is hidden.
     """
 
     radiance_sh: FloatArray
@@ -111,3 +114,4 @@ class Ambient:
     bounced: FloatArray
     reflected: FloatArray
     through: FloatArray | None = None
+    sky_harmonics: FloatArray | None = None

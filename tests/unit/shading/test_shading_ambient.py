@@ -8,17 +8,23 @@ from hypothesis.extra import numpy as hnp
 
 import shading_tolerances as tol
 from skinshade.shading.ambient import (
+    COSINE_BANDS,
+    LEAST_HIDDEN,
     ambient_irradiance,
     ambient_normals,
     ambient_of_three,
     bounced_visibility,
+    occluded_reflection,
+    reflected_visibility,
     sh_basis,
     specular_visibility,
+    transferred_irradiance,
 )
 
 VECTOR = hnp.arrays(float, 3, elements=st.floats(-1.0, 1.0)).filter(
     lambda v: np.linalg.norm(v) > 0.1
 )
+SEED = st.integers(0, 2**32 - 1)
 COEFFICIENTS = hnp.arrays(float, (9, 3), elements=st.floats(-1.0, 1.0))
 BAND = np.array([0, 1, 1, 1, 2, 2, 2, 2, 2])
 CONSTANT = np.zeros((9, 3))
@@ -39,6 +45,11 @@ def sphere_quadrature(count=24):
 
 def one_normal(n):
     return np.tile(n / np.linalg.norm(n), (1, 3, 1))
+
+
+def random_units(seed, count):
+    vectors = np.random.default_rng(seed).normal(size=(count, 3))
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
 def rotation_to(n):
@@ -169,3 +180,29 @@ def test_the_visibility_of_reflections_rises_with_that_of_the_sky(cosine, visibi
     assert specular_visibility(np.array(0.0), np.array(0.0), r) == 0.0
     more = specular_visibility(np.array(cosine), np.array(min(visibility + 0.1, 1.0)), r)
     assert more >= reflections
+
+
+@given(seed=SEED, share=st.floats(0.0, 1.0))
+def test_a_sky_that_is_evenly_hidden_is_visible_by_that_share_in_every_direction(seed, share):
+    normal, direction = random_units(seed, 2)
+    direction = direction * np.sign(normal @ direction)
+    free = np.repeat(COSINE_BANDS, [1, 3, 5]) * sh_basis(normal)
+    visible = reflected_visibility(share * free, normal, direction)
+    assert visible == pytest.approx(share, abs=tol.ROUNDING_SUMS.value)
+
+
+@given(seed=SEED, share=st.floats(0.0, 1.0))
+def test_a_white_body_reflects_the_light_of_an_even_sky_from_hidden_directions_too(seed, share):
+    normal, direction = random_units(seed, 2)
+    free = np.repeat(COSINE_BANDS, [1, 3, 5]) * sh_basis(normal)
+    bounced = np.full(3, max(1.0 - share, LEAST_HIDDEN))  # all that is hidden has radiance 1
+    reflected = occluded_reflection(np.ones(3), bounced, share * free, normal, direction)
+    assert np.allclose(reflected, 1.0, atol=tol.ROUNDING_SUMS.value)
+
+
+@given(seed=SEED)
+def test_transferred_light_is_the_product_of_both_sets_of_harmonics(seed):
+    rng = np.random.default_rng(seed)
+    transfer, sky = rng.normal(size=(5, 3, 9)), rng.normal(size=(9, 3))
+    product = np.stack([transfer[:, c] @ sky[:, c] for c in range(3)], axis=1)
+    assert np.allclose(transferred_irradiance(transfer, sky), np.maximum(product, 0.0))

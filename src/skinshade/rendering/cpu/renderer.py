@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, ImageArray, IntArray, dot
 from ..._core.progress import Progress, silent
-from ...params.choices import TERM_VIEWS, MaterialMap, ShadowFilter, View
+from ...params.choices import TERM_VIEWS, AmbientForm, MaterialMap, ShadowFilter, View
 from ...scene import Camera, Light, Scene
 from ...shading.compose import shade
 from ...shading.image_light import reflected_radiance
@@ -66,11 +66,18 @@ class CpuRenderer(Renderer):
         The scene to draw.
     progress
         Called with the name of the work and the fraction that is done.
+    ambient
+        Form of the ambient light at the vertices.
     """
 
-    def __init__(self, scene: Scene, progress: Progress = silent) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        progress: Progress = silent,
+        ambient: AmbientForm = AmbientForm.STATIC,
+    ) -> None:
         self.scene = scene
-        self.prepared = prepare_scene(scene, progress)
+        self.prepared = prepare_scene(scene, progress, form=ambient)
         self._progress = progress
         self._skins = [part.skin for part in self.prepared.parts]
         self._filters: Filters = {}
@@ -224,6 +231,7 @@ class CpuRenderer(Renderer):
             columns["bounced"],
             reflected_radiance(prepared.preconvolved, direction, surface.gloss),
             columns["through"],
+            columns["sky_harmonics"],
         )
 
 

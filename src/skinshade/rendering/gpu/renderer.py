@@ -21,7 +21,7 @@ from ...gpu.device import (
     open_device,
 )
 from ...gpu.timing import Stopwatch
-from ...params.choices import Antialiasing, PresentStage
+from ...params.choices import AmbientForm, Antialiasing, PresentStage
 from ...scene import Camera, Scene
 from ..backend import Renderer
 from ..prepare.samples import sample_offsets
@@ -56,6 +56,8 @@ class GpuRenderer(Renderer):
         Part of an adapter's name; the best adapter if None.
     software
         Accept software adapters.
+    ambient
+        Form of the ambient light at the vertices.
 
     Raises
     ------
@@ -69,6 +71,7 @@ class GpuRenderer(Renderer):
         progress: Progress = silent,
         adapter: str | None = None,
         software: bool = True,
+        ambient: AmbientForm = AmbientForm.STATIC,
     ) -> None:
         self.scene = scene
         self.device = open_device(adapter, software=software)
@@ -76,7 +79,9 @@ class GpuRenderer(Renderer):
         self._stopwatch = Stopwatch(self.device)
         self._timings_ms: dict[str, list[float]] = {}
         shadow_maps = DeviceShadowMaps(self.device, scene, self._stopwatch)
-        self.prepared = self._guarded(lambda: prepare_scene(scene, progress, shadow_maps.rasterize))
+        self.prepared = self._guarded(
+            lambda: prepare_scene(scene, progress, shadow_maps.rasterize, ambient)
+        )
         self._shared = SceneResources(self.device, self.prepared)
         self._parts = [PartResources(self._shared, part) for part in self.prepared.parts]
         self._passes = [SkinPass(resources, shadow_maps) for resources in self._parts]

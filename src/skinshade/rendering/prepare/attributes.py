@@ -9,6 +9,7 @@ import numpy as np
 
 from ..._core.arrays import FloatArray, IntArray
 from ...mesh import Mesh, vertex_attributes
+from ...mesh.ambient_transfer import diffused_by_channel
 from ...mesh.attributes import plain_attributes
 from ...params.vertex import VERTEX_COLUMNS, column_slices
 from ...shading.direct import directional_curvature, relief_length
@@ -94,15 +95,31 @@ def build_vertex_table(
                 column = columns.setdefault(name, np.zeros((len(mesh.positions), values.shape[1])))
                 column[vertices] = values
     if ambient is not None:
-        columns["visibility"] = ambient.visibility
-        columns["through"] = ambient.through
-        columns["bounced"] = ambient.bounced
+        skin_faces = len(faces) if skin_faces is None else skin_faces
+        columns |= _ambient_columns(mesh, faces[:skin_faces], skin, ambient)
     count = len(mesh.positions)
     parts = [
         columns.get(name, np.zeros((count, column.width)))
         for name, column in VERTEX_COLUMNS.items()
     ]
     return VertexTable(np.concatenate(parts, axis=1), faces)
+
+
+def _ambient_columns(
+    mesh: Mesh, skin_faces: IntArray, skin: Skin, ambient: AmbientLight
+) -> dict[str, FloatArray]:
+    """Return the columns of ambient light, which skin diffuses."""
+    light = np.stack([ambient.arriving, ambient.bounced], axis=2)
+    if len(skin_faces):
+        vertices, body = _submesh(mesh, skin_faces)
+        own = light[vertices]
+        light[vertices] = diffused_by_channel(body.positions_mm, body.faces, own, skin.profile)
+    return {
+        "visibility": light[:, :, 0] / ambient.unoccluded,
+        "bounced": light[:, :, 1],
+        "through": ambient.through,
+        "sky_harmonics": ambient.sky_harmonics,
+    }
 
 
 def _submesh(mesh: Mesh, faces: IntArray) -> tuple[IntArray, Mesh]:

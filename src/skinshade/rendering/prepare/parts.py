@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ..._core.arrays import ImageArray, IntArray
+from ..._core.arrays import FloatArray, ImageArray, IntArray
 from ..._core.errors import MeshError
 from ...mesh import Mesh, mesh_uv_scale
 from ...params.choices import MaterialMap, Shading
@@ -19,7 +19,17 @@ from ...shading.skin import Skin
 from ..settings import RenderSettings
 from .mips import Texture, build_texture
 
-__all__ = ["PreparedPart", "arrange_parts", "casting_faces", "opaque_count", "with_textures"]
+__all__ = [
+    "PreparedPart",
+    "arrange_parts",
+    "casting_faces",
+    "opaque_count",
+    "vertex_albedo",
+    "with_textures",
+]
+
+ALBEDO_TEXELS = 128
+"""Texels along the albedo map that light which bounces sees: some millimetres each on a head."""
 
 
 @dataclass(frozen=True)
@@ -112,6 +122,18 @@ def casting_faces(parts: Sequence[PreparedPart], faces: IntArray) -> IntArray:
     """Return the faces (F, 3) that cast shadows: those of opaque parts; all if no part is opaque."""
     opaque = opaque_count(parts)
     return faces[:opaque] if opaque else faces
+
+
+def vertex_albedo(mesh: Mesh, parts: Sequence[PreparedPart], faces: IntArray) -> FloatArray:
+    """Return the albedo (V, 3) at the vertices, averaged over texels of 1/128 of the map."""
+    albedo = np.zeros((len(mesh.positions), 3))
+    for part in parts:
+        own = np.unique(faces[part.first_face : part.first_face + part.face_count])
+        texture = part.textures[MaterialMap.ALBEDO]
+        uv = np.zeros((own.size, 2)) if mesh.uvs is None else mesh.uvs[own]
+        level = max(0.0, np.log2(texture.size / ALBEDO_TEXELS))
+        albedo[own] = texture.sample(uv, np.full(own.size, level))[:, :3]
+    return albedo
 
 
 def with_textures(mesh: Mesh, parts: Sequence[PreparedPart], faces: IntArray) -> list[PreparedPart]:

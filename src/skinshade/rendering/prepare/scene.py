@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 from ..._core.arrays import FloatArray
 from ..._core.progress import Progress, silent
 from ...mesh import Mesh
-from ...params.choices import ShadowFilter
+from ...params.choices import AmbientForm, ShadowFilter
 from ...scene import Scene
 from ...shading.image_light import PreconvolvedRadiance
 from ...shading.skin import Skin
 from .ambient_light import gather_ambient_light
 from .attributes import VertexTable, build_vertex_table
 from .light_view import LightView
-from .parts import PreparedPart, arrange_parts, casting_faces, with_textures
+from .parts import PreparedPart, arrange_parts, casting_faces, vertex_albedo, with_textures
 from .shadow_filter import WideFilter, build_filter
 from .shadow_map import ShadowMap, rasterize_shadow_map
 
@@ -62,7 +62,10 @@ def rasterize_all(mesh: Mesh, views: Sequence[LightView]) -> list[ShadowMap]:
 
 
 def prepare_scene(
-    scene: Scene, progress: Progress = silent, rasterize: Rasterize = rasterize_all
+    scene: Scene,
+    progress: Progress = silent,
+    rasterize: Rasterize = rasterize_all,
+    form: AmbientForm = AmbientForm.STATIC,
 ) -> PreparedScene:
     """Compute all data of a scene that does not depend on the camera.
 
@@ -74,6 +77,8 @@ def prepare_scene(
         Called with the name of the work and the fraction that is done.
     rasterize
         Function that draws the shadow maps.
+    form
+        Form of the ambient light at the vertices.
     """
     material, environment = scene.material, scene.environment
     progress("tables", 0.0)
@@ -83,6 +88,8 @@ def prepare_scene(
     casting = replace(scene.mesh, faces=casting_faces(parts, faces), materials=None)
     views = [LightView.of(light, scene.mesh) for light in scene.lights]
     shadow_maps = rasterize(casting, views)
+    progress("textures", 0.0)
+    parts = with_textures(scene.mesh, parts, faces)
     closer_filters: list[WideFilter] = []
     ambient, radiance_sh, preconvolved = None, None, None
     if environment is not None:
@@ -93,20 +100,19 @@ def prepare_scene(
         preconvolved = environment.preconvolved()
         ambient = gather_ambient_light(
             casting,
-            radiance_sh,
-            preconvolved,
+            environment,
             list(zip(scene.lights, closer_filters, strict=True)),
             skin,
-            material.albedo.reshape(-1, 3).mean(axis=0),
+            vertex_albedo(scene.mesh, parts, faces),
+            form,
             progress,
         )
     progress("vertex attributes", 0.0)
     skin_faces = sum(part.face_count for part in parts if part.is_skin)
     vertices = build_vertex_table(scene.mesh, skin, ambient, faces, skin_faces)
-    progress("textures", 0.0)
     return PreparedScene(
         scene,
-        with_textures(scene.mesh, parts, faces),
+        parts,
         vertices,
         shadow_maps,
         closer_filters,

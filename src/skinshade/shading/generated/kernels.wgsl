@@ -633,6 +633,66 @@ fn run_bounced_visibility(@builtin(global_invocation_id) thread_23 : vec3<u32>)
     return;
 }
 
+fn skin_sh_product_0( a_0 : mat3x3<f32>,  b_0 : mat3x3<f32>) -> f32
+{
+    return dot(a_0[i32(0)], b_0[i32(0)]) + dot(a_0[i32(1)], b_0[i32(1)]) + dot(a_0[i32(2)], b_0[i32(2)]);
+}
+
+fn skin_transferred_irradiance_0( ambient_transfer_red_0 : mat3x3<f32>,  ambient_transfer_green_0 : mat3x3<f32>,  ambient_transfer_blue_0 : mat3x3<f32>,  radiance_sh_red_1 : mat3x3<f32>,  radiance_sh_green_1 : mat3x3<f32>,  radiance_sh_blue_1 : mat3x3<f32>) -> vec3<f32>
+{
+    return max(vec3<f32>(skin_sh_product_0(ambient_transfer_red_0, radiance_sh_red_1), skin_sh_product_0(ambient_transfer_green_0, radiance_sh_green_1), skin_sh_product_0(ambient_transfer_blue_0, radiance_sh_blue_1)), vec3<f32>(0.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_transferred_irradiance(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+{
+    var _S64 : u32 = thread_24.x;
+    var start_23 : u32 = _S64 * u32(54);
+    var result_16 : vec3<f32> = skin_transferred_irradiance_0(mat3x3<f32>(inputs_0[start_23], inputs_0[start_23 + u32(1)], inputs_0[start_23 + u32(2)], inputs_0[start_23 + u32(3)], inputs_0[start_23 + u32(4)], inputs_0[start_23 + u32(5)], inputs_0[start_23 + u32(6)], inputs_0[start_23 + u32(7)], inputs_0[start_23 + u32(8)]), mat3x3<f32>(inputs_0[start_23 + u32(9)], inputs_0[start_23 + u32(10)], inputs_0[start_23 + u32(11)], inputs_0[start_23 + u32(12)], inputs_0[start_23 + u32(13)], inputs_0[start_23 + u32(14)], inputs_0[start_23 + u32(15)], inputs_0[start_23 + u32(16)], inputs_0[start_23 + u32(17)]), mat3x3<f32>(inputs_0[start_23 + u32(18)], inputs_0[start_23 + u32(19)], inputs_0[start_23 + u32(20)], inputs_0[start_23 + u32(21)], inputs_0[start_23 + u32(22)], inputs_0[start_23 + u32(23)], inputs_0[start_23 + u32(24)], inputs_0[start_23 + u32(25)], inputs_0[start_23 + u32(26)]), mat3x3<f32>(inputs_0[start_23 + u32(27)], inputs_0[start_23 + u32(28)], inputs_0[start_23 + u32(29)], inputs_0[start_23 + u32(30)], inputs_0[start_23 + u32(31)], inputs_0[start_23 + u32(32)], inputs_0[start_23 + u32(33)], inputs_0[start_23 + u32(34)], inputs_0[start_23 + u32(35)]), mat3x3<f32>(inputs_0[start_23 + u32(36)], inputs_0[start_23 + u32(37)], inputs_0[start_23 + u32(38)], inputs_0[start_23 + u32(39)], inputs_0[start_23 + u32(40)], inputs_0[start_23 + u32(41)], inputs_0[start_23 + u32(42)], inputs_0[start_23 + u32(43)], inputs_0[start_23 + u32(44)]), mat3x3<f32>(inputs_0[start_23 + u32(45)], inputs_0[start_23 + u32(46)], inputs_0[start_23 + u32(47)], inputs_0[start_23 + u32(48)], inputs_0[start_23 + u32(49)], inputs_0[start_23 + u32(50)], inputs_0[start_23 + u32(51)], inputs_0[start_23 + u32(52)], inputs_0[start_23 + u32(53)]));
+    var _S65 : u32 = _S64 * u32(3);
+    outputs_0[_S65] = result_16[i32(0)];
+    outputs_0[_S65 + u32(1)] = result_16[i32(1)];
+    outputs_0[_S65 + u32(2)] = result_16[i32(2)];
+    return;
+}
+
+fn skin_reflected_visibility_0( sky_harmonics_0 : mat3x3<f32>,  normal_5 : vec3<f32>,  direction_0 : vec3<f32>) -> f32
+{
+    var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_0, direction_0);
+    var _S66 : f32 = max(dot(normal_5, direction_0), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S66 * (2.0f + 1.875f * _S66)) * 0.07957746833562851f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_reflected_visibility(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+{
+    var _S67 : u32 = thread_25.x;
+    var start_24 : u32 = _S67 * u32(15);
+    outputs_0[_S67] = skin_reflected_visibility_0(mat3x3<f32>(inputs_0[start_24], inputs_0[start_24 + u32(1)], inputs_0[start_24 + u32(2)], inputs_0[start_24 + u32(3)], inputs_0[start_24 + u32(4)], inputs_0[start_24 + u32(5)], inputs_0[start_24 + u32(6)], inputs_0[start_24 + u32(7)], inputs_0[start_24 + u32(8)]), vec3<f32>(inputs_0[start_24 + u32(9)], inputs_0[start_24 + u32(10)], inputs_0[start_24 + u32(11)]), vec3<f32>(inputs_0[start_24 + u32(12)], inputs_0[start_24 + u32(13)], inputs_0[start_24 + u32(14)]));
+    return;
+}
+
+fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_0 : vec3<f32>,  sky_harmonics_1 : mat3x3<f32>,  normal_6 : vec3<f32>,  direction_1 : vec3<f32>) -> vec3<f32>
+{
+    return mix(bounced_0 / vec3<f32>(max(1.0f - sky_harmonics_1[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_1, normal_6, direction_1)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_occluded_reflection(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+{
+    var _S68 : u32 = thread_26.x;
+    var start_25 : u32 = _S68 * u32(21);
+    var result_17 : vec3<f32> = skin_occluded_reflection_0(vec3<f32>(inputs_0[start_25], inputs_0[start_25 + u32(1)], inputs_0[start_25 + u32(2)]), vec3<f32>(inputs_0[start_25 + u32(3)], inputs_0[start_25 + u32(4)], inputs_0[start_25 + u32(5)]), mat3x3<f32>(inputs_0[start_25 + u32(6)], inputs_0[start_25 + u32(7)], inputs_0[start_25 + u32(8)], inputs_0[start_25 + u32(9)], inputs_0[start_25 + u32(10)], inputs_0[start_25 + u32(11)], inputs_0[start_25 + u32(12)], inputs_0[start_25 + u32(13)], inputs_0[start_25 + u32(14)]), vec3<f32>(inputs_0[start_25 + u32(15)], inputs_0[start_25 + u32(16)], inputs_0[start_25 + u32(17)]), vec3<f32>(inputs_0[start_25 + u32(18)], inputs_0[start_25 + u32(19)], inputs_0[start_25 + u32(20)]));
+    var _S69 : u32 = _S68 * u32(3);
+    outputs_0[_S69] = result_17[i32(0)];
+    outputs_0[_S69 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S69 + u32(2)] = result_17[i32(2)];
+    return;
+}
+
 fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
 {
     var exponent_0 : f32 = exp2(-16.0f * roughness_0 - 1.0f);
@@ -651,40 +711,40 @@ fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_visibility(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+fn run_specular_visibility(@builtin(global_invocation_id) thread_27 : vec3<u32>)
 {
-    var _S64 : u32 = thread_24.x;
-    var start_23 : u32 = _S64 * u32(3);
-    outputs_0[_S64] = skin_specular_visibility_0(inputs_0[start_23], inputs_0[start_23 + u32(1)], inputs_0[start_23 + u32(2)]);
+    var _S70 : u32 = thread_27.x;
+    var start_26 : u32 = _S70 * u32(3);
+    outputs_0[_S70] = skin_specular_visibility_0(inputs_0[start_26], inputs_0[start_26 + u32(1)], inputs_0[start_26 + u32(2)]);
     return;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_depth(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+fn run_linear_depth(@builtin(global_invocation_id) thread_28 : vec3<u32>)
 {
-    var _S65 : u32 = thread_25.x;
-    var start_24 : u32 = _S65 * u32(17);
-    outputs_0[_S65] = skin_linear_depth_0(inputs_0[start_24], mat4x4<f32>(inputs_0[start_24 + u32(1)], inputs_0[start_24 + u32(2)], inputs_0[start_24 + u32(3)], inputs_0[start_24 + u32(4)], inputs_0[start_24 + u32(5)], inputs_0[start_24 + u32(6)], inputs_0[start_24 + u32(7)], inputs_0[start_24 + u32(8)], inputs_0[start_24 + u32(9)], inputs_0[start_24 + u32(10)], inputs_0[start_24 + u32(11)], inputs_0[start_24 + u32(12)], inputs_0[start_24 + u32(13)], inputs_0[start_24 + u32(14)], inputs_0[start_24 + u32(15)], inputs_0[start_24 + u32(16)]));
+    var _S71 : u32 = thread_28.x;
+    var start_27 : u32 = _S71 * u32(17);
+    outputs_0[_S71] = skin_linear_depth_0(inputs_0[start_27], mat4x4<f32>(inputs_0[start_27 + u32(1)], inputs_0[start_27 + u32(2)], inputs_0[start_27 + u32(3)], inputs_0[start_27 + u32(4)], inputs_0[start_27 + u32(5)], inputs_0[start_27 + u32(6)], inputs_0[start_27 + u32(7)], inputs_0[start_27 + u32(8)], inputs_0[start_27 + u32(9)], inputs_0[start_27 + u32(10)], inputs_0[start_27 + u32(11)], inputs_0[start_27 + u32(12)], inputs_0[start_27 + u32(13)], inputs_0[start_27 + u32(14)], inputs_0[start_27 + u32(15)], inputs_0[start_27 + u32(16)]));
     return;
 }
 
-fn skin_inward_offset_0( position_mm_3 : vec3<f32>,  normal_5 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+fn skin_inward_offset_0( position_mm_3 : vec3<f32>,  normal_7 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
 {
-    return position_mm_3 - normal_5 * vec3<f32>(offset_mm_0);
+    return position_mm_3 - normal_7 * vec3<f32>(offset_mm_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_inward_offset(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+fn run_inward_offset(@builtin(global_invocation_id) thread_29 : vec3<u32>)
 {
-    var _S66 : u32 = thread_26.x;
-    var start_25 : u32 = _S66 * u32(7);
-    var result_16 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[start_25], inputs_0[start_25 + u32(1)], inputs_0[start_25 + u32(2)]), vec3<f32>(inputs_0[start_25 + u32(3)], inputs_0[start_25 + u32(4)], inputs_0[start_25 + u32(5)]), inputs_0[start_25 + u32(6)]);
-    var _S67 : u32 = _S66 * u32(3);
-    outputs_0[_S67] = result_16[i32(0)];
-    outputs_0[_S67 + u32(1)] = result_16[i32(1)];
-    outputs_0[_S67 + u32(2)] = result_16[i32(2)];
+    var _S72 : u32 = thread_29.x;
+    var start_28 : u32 = _S72 * u32(7);
+    var result_18 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[start_28], inputs_0[start_28 + u32(1)], inputs_0[start_28 + u32(2)]), vec3<f32>(inputs_0[start_28 + u32(3)], inputs_0[start_28 + u32(4)], inputs_0[start_28 + u32(5)]), inputs_0[start_28 + u32(6)]);
+    var _S73 : u32 = _S72 * u32(3);
+    outputs_0[_S73] = result_18[i32(0)];
+    outputs_0[_S73 + u32(1)] = result_18[i32(1)];
+    outputs_0[_S73 + u32(2)] = result_18[i32(2)];
     return;
 }
 
@@ -719,11 +779,11 @@ fn skin_thickness_0( depth_map_3 : texture_2d<f32>,  depth_map_sampler_3 : sampl
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_thickness(@builtin(global_invocation_id) thread_27 : vec3<u32>)
+fn run_thickness(@builtin(global_invocation_id) thread_30 : vec3<u32>)
 {
-    var _S68 : u32 = thread_27.x;
-    var start_26 : u32 = _S68 * u32(22);
-    outputs_0[_S68] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[start_26], inputs_0[start_26 + u32(1)], inputs_0[start_26 + u32(2)], inputs_0[start_26 + u32(3)], inputs_0[start_26 + u32(4)], inputs_0[start_26 + u32(5)], inputs_0[start_26 + u32(6)], inputs_0[start_26 + u32(7)], inputs_0[start_26 + u32(8)], inputs_0[start_26 + u32(9)], inputs_0[start_26 + u32(10)], inputs_0[start_26 + u32(11)], inputs_0[start_26 + u32(12)], inputs_0[start_26 + u32(13)], inputs_0[start_26 + u32(14)], inputs_0[start_26 + u32(15)]), vec2<f32>(inputs_0[start_26 + u32(16)], inputs_0[start_26 + u32(17)]), inputs_0[start_26 + u32(18)], vec2<f32>(inputs_0[start_26 + u32(19)], inputs_0[start_26 + u32(20)]), i32(inputs_0[start_26 + u32(21)]));
+    var _S74 : u32 = thread_30.x;
+    var start_29 : u32 = _S74 * u32(22);
+    outputs_0[_S74] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[start_29], inputs_0[start_29 + u32(1)], inputs_0[start_29 + u32(2)], inputs_0[start_29 + u32(3)], inputs_0[start_29 + u32(4)], inputs_0[start_29 + u32(5)], inputs_0[start_29 + u32(6)], inputs_0[start_29 + u32(7)], inputs_0[start_29 + u32(8)], inputs_0[start_29 + u32(9)], inputs_0[start_29 + u32(10)], inputs_0[start_29 + u32(11)], inputs_0[start_29 + u32(12)], inputs_0[start_29 + u32(13)], inputs_0[start_29 + u32(14)], inputs_0[start_29 + u32(15)]), vec2<f32>(inputs_0[start_29 + u32(16)], inputs_0[start_29 + u32(17)]), inputs_0[start_29 + u32(18)], vec2<f32>(inputs_0[start_29 + u32(19)], inputs_0[start_29 + u32(20)]), i32(inputs_0[start_29 + u32(21)]));
     return;
 }
 
@@ -731,21 +791,21 @@ fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per
 {
     var a2_0 : vec3<f32> = albedo_2 * albedo_2;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
-    var _S69 : vec3<f32> = vec3<f32>(1.0f);
-    return (_S69 - a2_0) * decay_0 / (_S69 - a2_0 * decay_0 * decay_0);
+    var _S75 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S75 - a2_0) * decay_0 / (_S75 - a2_0 * decay_0 * decay_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_transmittance(@builtin(global_invocation_id) thread_28 : vec3<u32>)
+fn run_transmittance(@builtin(global_invocation_id) thread_31 : vec3<u32>)
 {
-    var _S70 : u32 = thread_28.x;
-    var start_27 : u32 = _S70 * u32(7);
-    var result_17 : vec3<f32> = skin_transmittance_0(inputs_0[start_27], vec3<f32>(inputs_0[start_27 + u32(1)], inputs_0[start_27 + u32(2)], inputs_0[start_27 + u32(3)]), vec3<f32>(inputs_0[start_27 + u32(4)], inputs_0[start_27 + u32(5)], inputs_0[start_27 + u32(6)]));
-    var _S71 : u32 = _S70 * u32(3);
-    outputs_0[_S71] = result_17[i32(0)];
-    outputs_0[_S71 + u32(1)] = result_17[i32(1)];
-    outputs_0[_S71 + u32(2)] = result_17[i32(2)];
+    var _S76 : u32 = thread_31.x;
+    var start_30 : u32 = _S76 * u32(7);
+    var result_19 : vec3<f32> = skin_transmittance_0(inputs_0[start_30], vec3<f32>(inputs_0[start_30 + u32(1)], inputs_0[start_30 + u32(2)], inputs_0[start_30 + u32(3)]), vec3<f32>(inputs_0[start_30 + u32(4)], inputs_0[start_30 + u32(5)], inputs_0[start_30 + u32(6)]));
+    var _S77 : u32 = _S76 * u32(3);
+    outputs_0[_S77] = result_19[i32(0)];
+    outputs_0[_S77 + u32(1)] = result_19[i32(1)];
+    outputs_0[_S77 + u32(2)] = result_19[i32(2)];
     return;
 }
 
@@ -757,11 +817,11 @@ fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f3
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_transmittance(@builtin(global_invocation_id) thread_29 : vec3<u32>)
+fn run_classic_transmittance(@builtin(global_invocation_id) thread_32 : vec3<u32>)
 {
-    var _S72 : u32 = thread_29.x;
-    var start_28 : u32 = _S72 * u32(2);
-    outputs_0[_S72] = skin_classic_transmittance_0(inputs_0[start_28], inputs_0[start_28 + u32(1)]);
+    var _S78 : u32 = thread_32.x;
+    var start_31 : u32 = _S78 * u32(2);
+    outputs_0[_S78] = skin_classic_transmittance_0(inputs_0[start_31], inputs_0[start_31 + u32(1)]);
     return;
 }
 
@@ -772,15 +832,15 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_30 : vec3<u32>)
+fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_33 : vec3<u32>)
 {
-    var _S73 : u32 = thread_30.x;
-    var start_29 : u32 = _S73 * u32(5);
-    var result_18 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[start_29], inputs_0[start_29 + u32(1)], inputs_0[start_29 + u32(2)]), inputs_0[start_29 + u32(3)], inputs_0[start_29 + u32(4)]);
-    var _S74 : u32 = _S73 * u32(3);
-    outputs_0[_S74] = result_18[i32(0)];
-    outputs_0[_S74 + u32(1)] = result_18[i32(1)];
-    outputs_0[_S74 + u32(2)] = result_18[i32(2)];
+    var _S79 : u32 = thread_33.x;
+    var start_32 : u32 = _S79 * u32(5);
+    var result_20 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[start_32], inputs_0[start_32 + u32(1)], inputs_0[start_32 + u32(2)]), inputs_0[start_32 + u32(3)], inputs_0[start_32 + u32(4)]);
+    var _S80 : u32 = _S79 * u32(3);
+    outputs_0[_S80] = result_20[i32(0)];
+    outputs_0[_S80 + u32(1)] = result_20[i32(1)];
+    outputs_0[_S80 + u32(2)] = result_20[i32(2)];
     return;
 }
 
@@ -791,15 +851,15 @@ fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_31 : vec3<u32>)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_34 : vec3<u32>)
 {
-    var _S75 : u32 = thread_31.x;
-    var start_30 : u32 = _S75 * u32(7);
-    var result_19 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_30], inputs_0[start_30 + u32(1)], inputs_0[start_30 + u32(2)]), vec3<f32>(inputs_0[start_30 + u32(3)], inputs_0[start_30 + u32(4)], inputs_0[start_30 + u32(5)]), inputs_0[start_30 + u32(6)]);
-    var _S76 : u32 = _S75 * u32(3);
-    outputs_0[_S76] = result_19[i32(0)];
-    outputs_0[_S76 + u32(1)] = result_19[i32(1)];
-    outputs_0[_S76 + u32(2)] = result_19[i32(2)];
+    var _S81 : u32 = thread_34.x;
+    var start_33 : u32 = _S81 * u32(7);
+    var result_21 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_33], inputs_0[start_33 + u32(1)], inputs_0[start_33 + u32(2)]), vec3<f32>(inputs_0[start_33 + u32(3)], inputs_0[start_33 + u32(4)], inputs_0[start_33 + u32(5)]), inputs_0[start_33 + u32(6)]);
+    var _S82 : u32 = _S81 * u32(3);
+    outputs_0[_S82] = result_21[i32(0)];
+    outputs_0[_S82 + u32(1)] = result_21[i32(1)];
+    outputs_0[_S82 + u32(2)] = result_21[i32(2)];
     return;
 }
 
@@ -810,10 +870,10 @@ fn skin_specular_power_0( gloss_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_power(@builtin(global_invocation_id) thread_32 : vec3<u32>)
+fn run_specular_power(@builtin(global_invocation_id) thread_35 : vec3<u32>)
 {
-    var _S77 : u32 = thread_32.x;
-    outputs_0[_S77] = skin_specular_power_0(inputs_0[_S77]);
+    var _S83 : u32 = thread_35.x;
+    outputs_0[_S83] = skin_specular_power_0(inputs_0[_S83]);
     return;
 }
 
@@ -826,43 +886,43 @@ fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_of_relief(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_36 : vec3<u32>)
 {
-    var _S78 : u32 = thread_33.x;
-    var start_31 : u32 = _S78 * u32(2);
-    outputs_0[_S78] = skin_gloss_of_relief_0(inputs_0[start_31], inputs_0[start_31 + u32(1)]);
+    var _S84 : u32 = thread_36.x;
+    var start_34 : u32 = _S84 * u32(2);
+    outputs_0[_S84] = skin_gloss_of_relief_0(inputs_0[start_34], inputs_0[start_34 + u32(1)]);
     return;
 }
 
 fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 {
-    var _S79 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S79 * _S79;
+    var _S85 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S85 * _S85;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_37 : vec3<u32>)
 {
-    var _S80 : u32 = thread_34.x;
-    outputs_0[_S80] = skin_gloss_from_roughness_0(inputs_0[_S80]);
+    var _S86 : u32 = thread_37.x;
+    outputs_0[_S86] = skin_gloss_from_roughness_0(inputs_0[_S86]);
     return;
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_2 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_2 / 4.0f + 1.57079637050628662f);
-    var _S81 : f32 = 1.0f - k_0;
-    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S81 * n_dot_l_2) * (k_0 + _S81 * n_dot_v_1)));
+    var _S87 : f32 = 1.0f - k_0;
+    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S87 * n_dot_l_2) * (k_0 + _S87 * n_dot_v_1)));
 }
 
-fn skin_specular_0( normal_6 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
+fn skin_specular_0( normal_8 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
 {
     var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_2 + light_5);
-    var n_dot_l_3 : f32 = saturate(dot(normal_6, light_5));
-    var n_dot_v_2 : f32 = clamp(dot(normal_6, view_2), 0.00009999999747379f, 1.0f);
-    var n_dot_h_1 : f32 = saturate(dot(normal_6, half_vector_0));
+    var n_dot_l_3 : f32 = saturate(dot(normal_8, light_5));
+    var n_dot_v_2 : f32 = clamp(dot(normal_8, view_2), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_8, half_vector_0));
     var wide_0 : f32 = skin_specular_power_0(gloss_2);
     var grazing_0 : f32 = 1.0f - saturate(dot(view_2, half_vector_0));
     var grazing2_0 : f32 = grazing_0 * grazing_0;
@@ -871,30 +931,30 @@ fn skin_specular_0( normal_6 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+fn run_specular(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
-    var _S82 : u32 = thread_35.x;
-    var start_32 : u32 = _S82 * u32(11);
-    outputs_0[_S82] = skin_specular_0(vec3<f32>(inputs_0[start_32], inputs_0[start_32 + u32(1)], inputs_0[start_32 + u32(2)]), vec3<f32>(inputs_0[start_32 + u32(3)], inputs_0[start_32 + u32(4)], inputs_0[start_32 + u32(5)]), vec3<f32>(inputs_0[start_32 + u32(6)], inputs_0[start_32 + u32(7)], inputs_0[start_32 + u32(8)]), inputs_0[start_32 + u32(9)], inputs_0[start_32 + u32(10)]);
+    var _S88 : u32 = thread_38.x;
+    var start_35 : u32 = _S88 * u32(11);
+    outputs_0[_S88] = skin_specular_0(vec3<f32>(inputs_0[start_35], inputs_0[start_35 + u32(1)], inputs_0[start_35 + u32(2)]), vec3<f32>(inputs_0[start_35 + u32(3)], inputs_0[start_35 + u32(4)], inputs_0[start_35 + u32(5)]), vec3<f32>(inputs_0[start_35 + u32(6)], inputs_0[start_35 + u32(7)], inputs_0[start_35 + u32(8)]), inputs_0[start_35 + u32(9)], inputs_0[start_35 + u32(10)]);
     return;
 }
 
-fn skin_reflected_0( normal_7 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
+fn skin_reflected_0( normal_9 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>((2.0f * dot(normal_7, view_3))) * normal_7 - view_3;
+    return vec3<f32>((2.0f * dot(normal_9, view_3))) * normal_9 - view_3;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected(@builtin(global_invocation_id) thread_36 : vec3<u32>)
+fn run_reflected(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
-    var _S83 : u32 = thread_36.x;
-    var start_33 : u32 = _S83 * u32(6);
-    var result_20 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_33], inputs_0[start_33 + u32(1)], inputs_0[start_33 + u32(2)]), vec3<f32>(inputs_0[start_33 + u32(3)], inputs_0[start_33 + u32(4)], inputs_0[start_33 + u32(5)]));
-    var _S84 : u32 = _S83 * u32(3);
-    outputs_0[_S84] = result_20[i32(0)];
-    outputs_0[_S84 + u32(1)] = result_20[i32(1)];
-    outputs_0[_S84 + u32(2)] = result_20[i32(2)];
+    var _S89 : u32 = thread_39.x;
+    var start_36 : u32 = _S89 * u32(6);
+    var result_22 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]), vec3<f32>(inputs_0[start_36 + u32(3)], inputs_0[start_36 + u32(4)], inputs_0[start_36 + u32(5)]));
+    var _S90 : u32 = _S89 * u32(3);
+    outputs_0[_S90] = result_22[i32(0)];
+    outputs_0[_S90 + u32(1)] = result_22[i32(1)];
+    outputs_0[_S90 + u32(2)] = result_22[i32(2)];
     return;
 }
 
@@ -907,11 +967,11 @@ fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectanc
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_40 : vec3<u32>)
 {
-    var _S85 : u32 = thread_37.x;
-    var start_34 : u32 = _S85 * u32(3);
-    outputs_0[_S85] = skin_ambient_specular_fresnel_0(inputs_0[start_34], inputs_0[start_34 + u32(1)], inputs_0[start_34 + u32(2)]);
+    var _S91 : u32 = thread_40.x;
+    var start_37 : u32 = _S91 * u32(3);
+    outputs_0[_S91] = skin_ambient_specular_fresnel_0(inputs_0[start_37], inputs_0[start_37 + u32(1)], inputs_0[start_37 + u32(2)]);
     return;
 }
 
@@ -922,24 +982,24 @@ fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_diffuse_share(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_41 : vec3<u32>)
 {
-    var _S86 : u32 = thread_38.x;
-    var start_35 : u32 = _S86 * u32(3);
-    outputs_0[_S86] = skin_diffuse_share_0(inputs_0[start_35], inputs_0[start_35 + u32(1)], inputs_0[start_35 + u32(2)]);
+    var _S92 : u32 = thread_41.x;
+    var start_38 : u32 = _S92 * u32(3);
+    outputs_0[_S92] = skin_diffuse_share_0(inputs_0[start_38], inputs_0[start_38 + u32(1)], inputs_0[start_38 + u32(2)]);
     return;
 }
 
 fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
 {
     var size_0 : vec2<f32> = abs(vec2<f32>(x_2, y_1));
-    var _S87 : f32 = size_0.x;
-    var _S88 : f32 = size_0.y;
-    var r_0 : f32 = min(_S87, _S88) / max(max(_S87, _S88), 1.00000000317107685e-30f);
+    var _S93 : f32 = size_0.x;
+    var _S94 : f32 = size_0.y;
+    var r_0 : f32 = min(_S93, _S94) / max(max(_S93, _S94), 1.00000000317107685e-30f);
     var r2_1 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S88 > _S87)
+    if(_S94 > _S93)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -958,23 +1018,23 @@ fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
     return turns_1;
 }
 
-fn skin_equirectangular_uv_0( direction_0 : vec3<f32>) -> vec2<f32>
+fn skin_equirectangular_uv_0( direction_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S89 : f32 = direction_0.x;
-    var _S90 : f32 = direction_0.z;
-    return vec2<f32>(0.5f + skin_turns_0(_S90, _S89), 2.0f * skin_turns_0(sqrt(_S89 * _S89 + _S90 * _S90), direction_0.y));
+    var _S95 : f32 = direction_2.x;
+    var _S96 : f32 = direction_2.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S96, _S95), 2.0f * skin_turns_0(sqrt(_S95 * _S95 + _S96 * _S96), direction_2.y));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_equirectangular_uv(@builtin(global_invocation_id) thread_39 : vec3<u32>)
+fn run_equirectangular_uv(@builtin(global_invocation_id) thread_42 : vec3<u32>)
 {
-    var _S91 : u32 = thread_39.x;
-    var start_36 : u32 = _S91 * u32(3);
-    var result_21 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]));
-    var _S92 : u32 = _S91 * u32(2);
-    outputs_0[_S92] = result_21[i32(0)];
-    outputs_0[_S92 + u32(1)] = result_21[i32(1)];
+    var _S97 : u32 = thread_42.x;
+    var start_39 : u32 = _S97 * u32(3);
+    var result_23 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_39], inputs_0[start_39 + u32(1)], inputs_0[start_39 + u32(2)]));
+    var _S98 : u32 = _S97 * u32(2);
+    outputs_0[_S98] = result_23[i32(0)];
+    outputs_0[_S98 + u32(1)] = result_23[i32(1)];
     return;
 }
 
@@ -985,76 +1045,76 @@ fn skin_reflection_level_0( power_3 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflection_level(@builtin(global_invocation_id) thread_40 : vec3<u32>)
+fn run_reflection_level(@builtin(global_invocation_id) thread_43 : vec3<u32>)
 {
-    var _S93 : u32 = thread_40.x;
-    outputs_0[_S93] = skin_reflection_level_0(inputs_0[_S93]);
+    var _S99 : u32 = thread_43.x;
+    outputs_0[_S99] = skin_reflection_level_0(inputs_0[_S99]);
     return;
 }
 
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_2 : vec2<f32>,  power_4 : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level_0(power_4);
-    var _S94 : f32 = min(floor(level_0), 3.0f);
+    var _S100 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S95 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S95, (_S94 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S95, (_S94 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S94)));
+    var _S101 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S101, (_S100 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S101, (_S100 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S100)));
 }
 
-fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_1 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_3 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
 {
-    var uv_3 : vec2<f32> = skin_equirectangular_uv_0(direction_1);
+    var uv_3 : vec2<f32> = skin_equirectangular_uv_0(direction_3);
     var power_5 : f32 = skin_specular_power_0(gloss_5);
     return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_3, power_5 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_3, power_5 * power_5 / 4.0f), vec3<f32>(0.05000000074505806f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected_radiance(@builtin(global_invocation_id) thread_41 : vec3<u32>)
+fn run_reflected_radiance(@builtin(global_invocation_id) thread_44 : vec3<u32>)
 {
-    var _S96 : u32 = thread_41.x;
-    var start_37 : u32 = _S96 * u32(4);
-    var result_22 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_37], inputs_0[start_37 + u32(1)], inputs_0[start_37 + u32(2)]), inputs_0[start_37 + u32(3)]);
-    var _S97 : u32 = _S96 * u32(3);
-    outputs_0[_S97] = result_22[i32(0)];
-    outputs_0[_S97 + u32(1)] = result_22[i32(1)];
-    outputs_0[_S97 + u32(2)] = result_22[i32(2)];
+    var _S102 : u32 = thread_44.x;
+    var start_40 : u32 = _S102 * u32(4);
+    var result_24 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_40], inputs_0[start_40 + u32(1)], inputs_0[start_40 + u32(2)]), inputs_0[start_40 + u32(3)]);
+    var _S103 : u32 = _S102 * u32(3);
+    outputs_0[_S103] = result_24[i32(0)];
+    outputs_0[_S103 + u32(1)] = result_24[i32(1)];
+    outputs_0[_S103 + u32(2)] = result_24[i32(2)];
     return;
 }
 
 fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S98 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S98 + vec3<f32>(0.5f)) / (x_3 * (_S98 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S104 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S104 + vec3<f32>(0.5f)) / (x_3 * (_S104 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_filmic(@builtin(global_invocation_id) thread_42 : vec3<u32>)
+fn run_filmic(@builtin(global_invocation_id) thread_45 : vec3<u32>)
 {
-    var start_38 : u32 = thread_42.x * u32(3);
-    var _S99 : u32 = start_38 + u32(1);
-    var _S100 : u32 = start_38 + u32(2);
-    var result_23 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_38], inputs_0[_S99], inputs_0[_S100]));
-    outputs_0[start_38] = result_23[i32(0)];
-    outputs_0[_S99] = result_23[i32(1)];
-    outputs_0[_S100] = result_23[i32(2)];
+    var start_41 : u32 = thread_45.x * u32(3);
+    var _S105 : u32 = start_41 + u32(1);
+    var _S106 : u32 = start_41 + u32(2);
+    var result_25 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_41], inputs_0[_S105], inputs_0[_S106]));
+    outputs_0[start_41] = result_25[i32(0)];
+    outputs_0[_S105] = result_25[i32(1)];
+    outputs_0[_S106] = result_25[i32(2)];
     return;
 }
 
 fn skin_srgb_curve_0( x_4 : f32) -> f32
 {
-    var _S101 : f32;
+    var _S107 : f32;
     if(x_4 <= 0.00313080009073019f)
     {
-        _S101 = 12.92000007629394531f * x_4;
+        _S107 = 12.92000007629394531f * x_4;
     }
     else
     {
-        _S101 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S107 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S101;
+    return _S107;
 }
 
 fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
@@ -1065,30 +1125,30 @@ fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_srgb_from_linear(@builtin(global_invocation_id) thread_43 : vec3<u32>)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_46 : vec3<u32>)
 {
-    var start_39 : u32 = thread_43.x * u32(3);
-    var _S102 : u32 = start_39 + u32(1);
-    var _S103 : u32 = start_39 + u32(2);
-    var result_24 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_39], inputs_0[_S102], inputs_0[_S103]));
-    outputs_0[start_39] = result_24[i32(0)];
-    outputs_0[_S102] = result_24[i32(1)];
-    outputs_0[_S103] = result_24[i32(2)];
+    var start_42 : u32 = thread_46.x * u32(3);
+    var _S108 : u32 = start_42 + u32(1);
+    var _S109 : u32 = start_42 + u32(2);
+    var result_26 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_42], inputs_0[_S108], inputs_0[_S109]));
+    outputs_0[start_42] = result_26[i32(0)];
+    outputs_0[_S108] = result_26[i32(1)];
+    outputs_0[_S109] = result_26[i32(2)];
     return;
 }
 
 fn skin_linear_curve_0( x_6 : f32) -> f32
 {
-    var _S104 : f32;
+    var _S110 : f32;
     if(x_6 <= 0.04044999927282333f)
     {
-        _S104 = x_6 / 12.92000007629394531f;
+        _S110 = x_6 / 12.92000007629394531f;
     }
     else
     {
-        _S104 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S110 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S104;
+    return _S110;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -1099,15 +1159,15 @@ fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_from_srgb(@builtin(global_invocation_id) thread_44 : vec3<u32>)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_47 : vec3<u32>)
 {
-    var start_40 : u32 = thread_44.x * u32(3);
-    var _S105 : u32 = start_40 + u32(1);
-    var _S106 : u32 = start_40 + u32(2);
-    var result_25 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_40], inputs_0[_S105], inputs_0[_S106]));
-    outputs_0[start_40] = result_25[i32(0)];
-    outputs_0[_S105] = result_25[i32(1)];
-    outputs_0[_S106] = result_25[i32(2)];
+    var start_43 : u32 = thread_47.x * u32(3);
+    var _S111 : u32 = start_43 + u32(1);
+    var _S112 : u32 = start_43 + u32(2);
+    var result_27 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_43], inputs_0[_S111], inputs_0[_S112]));
+    outputs_0[start_43] = result_27[i32(0)];
+    outputs_0[_S111] = result_27[i32(1)];
+    outputs_0[_S112] = result_27[i32(2)];
     return;
 }
 
@@ -1118,11 +1178,11 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_blur_level(@builtin(global_invocation_id) thread_45 : vec3<u32>)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_48 : vec3<u32>)
 {
-    var _S107 : u32 = thread_45.x;
-    var start_41 : u32 = _S107 * u32(4);
-    outputs_0[_S107] = skin_classic_blur_level_0(inputs_0[start_41], inputs_0[start_41 + u32(1)], inputs_0[start_41 + u32(2)], inputs_0[start_41 + u32(3)]);
+    var _S113 : u32 = thread_48.x;
+    var start_44 : u32 = _S113 * u32(4);
+    outputs_0[_S113] = skin_classic_blur_level_0(inputs_0[start_44], inputs_0[start_44 + u32(1)], inputs_0[start_44 + u32(2)], inputs_0[start_44 + u32(3)]);
     return;
 }
 
@@ -1136,15 +1196,15 @@ fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lu
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_direct(@builtin(global_invocation_id) thread_46 : vec3<u32>)
+fn run_classic_direct(@builtin(global_invocation_id) thread_49 : vec3<u32>)
 {
-    var _S108 : u32 = thread_46.x;
-    var start_42 : u32 = _S108 * u32(14);
-    var result_26 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_42], inputs_0[start_42 + u32(1)], inputs_0[start_42 + u32(2)], inputs_0[start_42 + u32(3)]), vec3<f32>(inputs_0[start_42 + u32(4)], inputs_0[start_42 + u32(5)], inputs_0[start_42 + u32(6)]), vec3<f32>(inputs_0[start_42 + u32(7)], inputs_0[start_42 + u32(8)], inputs_0[start_42 + u32(9)]), vec3<f32>(inputs_0[start_42 + u32(10)], inputs_0[start_42 + u32(11)], inputs_0[start_42 + u32(12)]), inputs_0[start_42 + u32(13)]);
-    var _S109 : u32 = _S108 * u32(3);
-    outputs_0[_S109] = result_26[i32(0)];
-    outputs_0[_S109 + u32(1)] = result_26[i32(1)];
-    outputs_0[_S109 + u32(2)] = result_26[i32(2)];
+    var _S114 : u32 = thread_49.x;
+    var start_45 : u32 = _S114 * u32(14);
+    var result_28 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)], inputs_0[start_45 + u32(3)]), vec3<f32>(inputs_0[start_45 + u32(4)], inputs_0[start_45 + u32(5)], inputs_0[start_45 + u32(6)]), vec3<f32>(inputs_0[start_45 + u32(7)], inputs_0[start_45 + u32(8)], inputs_0[start_45 + u32(9)]), vec3<f32>(inputs_0[start_45 + u32(10)], inputs_0[start_45 + u32(11)], inputs_0[start_45 + u32(12)]), inputs_0[start_45 + u32(13)]);
+    var _S115 : u32 = _S114 * u32(3);
+    outputs_0[_S115] = result_28[i32(0)];
+    outputs_0[_S115 + u32(1)] = result_28[i32(1)];
+    outputs_0[_S115 + u32(2)] = result_28[i32(2)];
     return;
 }
 
@@ -1155,21 +1215,21 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_47 : vec3<u32>)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_50 : vec3<u32>)
 {
-    var _S110 : u32 = thread_47.x;
-    var start_43 : u32 = _S110 * u32(6);
-    var result_27 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_43], inputs_0[start_43 + u32(1)], inputs_0[start_43 + u32(2)]), vec3<f32>(inputs_0[start_43 + u32(3)], inputs_0[start_43 + u32(4)], inputs_0[start_43 + u32(5)]));
-    var _S111 : u32 = _S110 * u32(9);
-    outputs_0[_S111] = result_27[i32(0)][i32(0)];
-    outputs_0[_S111 + u32(1)] = result_27[i32(0)][i32(1)];
-    outputs_0[_S111 + u32(2)] = result_27[i32(0)][i32(2)];
-    outputs_0[_S111 + u32(3)] = result_27[i32(1)][i32(0)];
-    outputs_0[_S111 + u32(4)] = result_27[i32(1)][i32(1)];
-    outputs_0[_S111 + u32(5)] = result_27[i32(1)][i32(2)];
-    outputs_0[_S111 + u32(6)] = result_27[i32(2)][i32(0)];
-    outputs_0[_S111 + u32(7)] = result_27[i32(2)][i32(1)];
-    outputs_0[_S111 + u32(8)] = result_27[i32(2)][i32(2)];
+    var _S116 : u32 = thread_50.x;
+    var start_46 : u32 = _S116 * u32(6);
+    var result_29 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_46], inputs_0[start_46 + u32(1)], inputs_0[start_46 + u32(2)]), vec3<f32>(inputs_0[start_46 + u32(3)], inputs_0[start_46 + u32(4)], inputs_0[start_46 + u32(5)]));
+    var _S117 : u32 = _S116 * u32(9);
+    outputs_0[_S117] = result_29[i32(0)][i32(0)];
+    outputs_0[_S117 + u32(1)] = result_29[i32(0)][i32(1)];
+    outputs_0[_S117 + u32(2)] = result_29[i32(0)][i32(2)];
+    outputs_0[_S117 + u32(3)] = result_29[i32(1)][i32(0)];
+    outputs_0[_S117 + u32(4)] = result_29[i32(1)][i32(1)];
+    outputs_0[_S117 + u32(5)] = result_29[i32(1)][i32(2)];
+    outputs_0[_S117 + u32(6)] = result_29[i32(2)][i32(0)];
+    outputs_0[_S117 + u32(7)] = result_29[i32(2)][i32(1)];
+    outputs_0[_S117 + u32(8)] = result_29[i32(2)][i32(2)];
     return;
 }
 
@@ -1180,11 +1240,11 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_48 : vec3<u32>)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_51 : vec3<u32>)
 {
-    var _S112 : u32 = thread_48.x;
-    var start_44 : u32 = _S112 * u32(2);
-    outputs_0[_S112] = skin_classic_sharpened_shadow_0(inputs_0[start_44], inputs_0[start_44 + u32(1)]);
+    var _S118 : u32 = thread_51.x;
+    var start_47 : u32 = _S118 * u32(2);
+    outputs_0[_S118] = skin_classic_sharpened_shadow_0(inputs_0[start_47], inputs_0[start_47 + u32(1)]);
     return;
 }
 
@@ -1195,11 +1255,11 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_49 : vec3<u32>)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_52 : vec3<u32>)
 {
-    var _S113 : u32 = thread_49.x;
-    var start_45 : u32 = _S113 * u32(4);
-    outputs_0[_S113] = skin_classic_deep_scatter_0(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)], inputs_0[start_45 + u32(3)]);
+    var _S119 : u32 = thread_52.x;
+    var start_48 : u32 = _S119 * u32(4);
+    outputs_0[_S119] = skin_classic_deep_scatter_0(inputs_0[start_48], inputs_0[start_48 + u32(1)], inputs_0[start_48 + u32(2)], inputs_0[start_48 + u32(3)]);
     return;
 }
 

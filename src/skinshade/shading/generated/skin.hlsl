@@ -338,6 +338,28 @@ float3 skin_bounced_visibility(float3 visibility, float3 albedo)
     return max(visibility, ((visibility * (2.04040002822875977f * albedo - 0.33239999413490295f) + (-4.79510021209716797f * albedo + 0.64170002937316895f)) * visibility + (2.75519990921020508f * albedo + 0.69029998779296875f)) * visibility);
 }
 
+float skin_sh_product(float3x3 a, float3x3 b)
+{
+    return dot(a[int(0)], b[int(0)]) + dot(a[int(1)], b[int(1)]) + dot(a[int(2)], b[int(2)]);
+}
+
+float3 skin_transferred_irradiance(float3x3 ambient_transfer_red, float3x3 ambient_transfer_green, float3x3 ambient_transfer_blue, float3x3 radiance_sh_red, float3x3 radiance_sh_green, float3x3 radiance_sh_blue)
+{
+    return max(float3(skin_sh_product(ambient_transfer_red, radiance_sh_red), skin_sh_product(ambient_transfer_green, radiance_sh_green), skin_sh_product(ambient_transfer_blue, radiance_sh_blue)), (float3)0.0f);
+}
+
+float skin_reflected_visibility(float3x3 sky_harmonics, float3 normal, float3 direction)
+{
+    float3 bands_0 = skin_sh_bands(sky_harmonics, direction);
+    float _S15 = max(dot(normal, direction), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S15 * (2.0f + 1.875f * _S15)) * 0.07957746833562851f));
+}
+
+float3 skin_occluded_reflection(float3 sky, float3 bounced, float3x3 sky_harmonics, float3 normal, float3 direction)
+{
+    return lerp(bounced / max(1.0f - sky_harmonics[int(0)].x / 0.282094806432724f, 0.01999999955296516f), sky, (float3)skin_reflected_visibility(sky_harmonics, normal, direction));
+}
+
 float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
 {
     float exponent_0 = (exp2((-16.0f * roughness - 1.0f)));
@@ -368,16 +390,16 @@ float skin_gloss_of_relief(float gloss, float normal_length)
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S15 = max(roughness, 0.00100000004749745f);
-    float r2_0 = _S15 * _S15;
+    float _S16 = max(roughness, 0.00100000004749745f);
+    float r2_0 = _S16 * _S16;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = rsqrt(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    float _S16 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S16 * n_dot_l) * (k_0 + _S16 * n_dot_v)));
+    float _S17 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S17 * n_dot_l) * (k_0 + _S17 * n_dot_v)));
 }
 
 float skin_specular(float3 normal, float3 view, float3 light, float gloss, float reflectance)
@@ -412,13 +434,13 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
 float skin_turns(float y, float x)
 {
     float2 size_0 = abs(float2(x, y));
-    float _S17 = size_0.x;
-    float _S18 = size_0.y;
-    float r_0 = min(_S17, _S18) / max(max(_S17, _S18), 1.00000000317107685e-30f);
+    float _S18 = size_0.x;
+    float _S19 = size_0.y;
+    float r_0 = min(_S18, _S19) / max(max(_S18, _S19), 1.00000000317107685e-30f);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     float turns_1;
-    if(_S18 > _S17)
+    if(_S19 > _S18)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -445,9 +467,9 @@ float skin_turns(float y, float x)
 
 float2 skin_equirectangular_uv(float3 direction)
 {
-    float _S19 = direction.x;
-    float _S20 = direction.z;
-    return float2(0.5f + skin_turns(_S20, _S19), 2.0f * skin_turns(sqrt(_S19 * _S19 + _S20 * _S20), direction.y));
+    float _S20 = direction.x;
+    float _S21 = direction.z;
+    return float2(0.5f + skin_turns(_S21, _S20), 2.0f * skin_turns(sqrt(_S20 * _S20 + _S21 * _S21), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -458,10 +480,10 @@ float skin_reflection_level(float power)
 float3 skin_preconvolved(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S21 = min(floor(level_0), 3.0f);
+    float _S22 = min(floor(level_0), 3.0f);
     float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    float _S22 = uv.x;
-    return lerp(preconvolved.SampleLevel(preconvolved_sampler, float2(_S22, (_S21 + row_1) / 5.0f), 0.0f).xyz, preconvolved.SampleLevel(preconvolved_sampler, float2(_S22, (_S21 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_0 - _S21));
+    float _S23 = uv.x;
+    return lerp(preconvolved.SampleLevel(preconvolved_sampler, float2(_S23, (_S22 + row_1) / 5.0f), 0.0f).xyz, preconvolved.SampleLevel(preconvolved_sampler, float2(_S23, (_S22 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_0 - _S22));
 }
 
 float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float3 direction, float gloss)
@@ -474,22 +496,22 @@ float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState pre
 float3 skin_filmic(float3 light)
 {
     float3 x_2 = max(light - 0.00400000018998981f, (float3)0.0f);
-    float3 _S23 = 6.19999980926513672f * x_2;
-    return x_2 * (_S23 + 0.5f) / (x_2 * (_S23 + 1.70000004768371582f) + 0.05999999865889549f);
+    float3 _S24 = 6.19999980926513672f * x_2;
+    return x_2 * (_S24 + 0.5f) / (x_2 * (_S24 + 1.70000004768371582f) + 0.05999999865889549f);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S24;
+    float _S25;
     if(x <= 0.00313080009073019f)
     {
-        _S24 = 12.92000007629394531f * x;
+        _S25 = 12.92000007629394531f * x;
     }
     else
     {
-        _S24 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S25 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S24;
+    return _S25;
 }
 
 float3 skin_srgb_from_linear(float3 light)
@@ -500,16 +522,16 @@ float3 skin_srgb_from_linear(float3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S25;
+    float _S26;
     if(x <= 0.04044999927282333f)
     {
-        _S25 = x / 12.92000007629394531f;
+        _S26 = x / 12.92000007629394531f;
     }
     else
     {
-        _S25 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S26 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S25;
+    return _S26;
 }
 
 float3 skin_linear_from_srgb(float3 display)

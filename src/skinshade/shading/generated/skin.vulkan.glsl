@@ -352,6 +352,28 @@ vec3 skin_bounced_visibility(vec3 visibility, vec3 albedo)
     return max(visibility, ((visibility * (2.04040002822875977 * albedo - 0.33239999413490295) + (-4.79510021209716797 * albedo + 0.64170002937316895)) * visibility + (2.75519990921020508 * albedo + 0.69029998779296875)) * visibility);
 }
 
+float skin_sh_product(mat3x3 a, mat3x3 b)
+{
+    return dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]);
+}
+
+vec3 skin_transferred_irradiance(mat3x3 ambient_transfer_red, mat3x3 ambient_transfer_green, mat3x3 ambient_transfer_blue, mat3x3 radiance_sh_red, mat3x3 radiance_sh_green, mat3x3 radiance_sh_blue)
+{
+    return max(vec3(skin_sh_product(ambient_transfer_red, radiance_sh_red), skin_sh_product(ambient_transfer_green, radiance_sh_green), skin_sh_product(ambient_transfer_blue, radiance_sh_blue)), vec3(0.0));
+}
+
+float skin_reflected_visibility(mat3x3 sky_harmonics, vec3 normal, vec3 direction)
+{
+    vec3 bands_0 = skin_sh_bands(sky_harmonics, direction);
+    float _S15 = max(dot(normal, direction), 0.0);
+    return skin_saturate_1((bands_0.x + bands_0.y + bands_0.z) / ((0.375 + _S15 * (2.0 + 1.875 * _S15)) * 0.07957746833562851));
+}
+
+vec3 skin_occluded_reflection(vec3 sky, vec3 bounced, mat3x3 sky_harmonics, vec3 normal, vec3 direction)
+{
+    return mix(bounced / max(1.0 - sky_harmonics[0].x / 0.282094806432724, 0.01999999955296516), sky, vec3(skin_reflected_visibility(sky_harmonics, normal, direction)));
+}
+
 float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
 {
     float exponent_0 = (exp2((-16.0 * roughness - 1.0)));
@@ -382,16 +404,16 @@ float skin_gloss_of_relief(float gloss, float normal_length)
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S15 = max(roughness, 0.00100000004749745);
-    float r2_0 = _S15 * _S15;
+    float _S16 = max(roughness, 0.00100000004749745);
+    float r2_0 = _S16 * _S16;
     return clamp(log2(max(2.0 / (r2_0 * r2_0) - 2.0, 1.0)) / 13.0, 0.0, 1.0);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = (inversesqrt((3.14159274101257324 * power / 4.0 + 1.57079637050628662)));
-    float _S16 = 1.0 - k_0;
-    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S16 * n_dot_l) * (k_0 + _S16 * n_dot_v)));
+    float _S17 = 1.0 - k_0;
+    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S17 * n_dot_l) * (k_0 + _S17 * n_dot_v)));
 }
 
 float skin_specular(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
@@ -426,13 +448,13 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
 float skin_turns(float y, float x)
 {
     vec2 size_0 = abs(vec2(x, y));
-    float _S17 = size_0.x;
-    float _S18 = size_0.y;
-    float r_0 = min(_S17, _S18) / max(max(_S17, _S18), 1.00000000317107685e-30);
+    float _S18 = size_0.x;
+    float _S19 = size_0.y;
+    float r_0 = min(_S18, _S19) / max(max(_S18, _S19), 1.00000000317107685e-30);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781 + r2_1 * (-0.05293257534503937 + r2_1 * (0.03076364658772945 + r2_1 * (-0.01842727139592171 + r2_1 * (0.00826387945562601 - r2_1 * 0.00181874714326113)))));
     float turns_1;
-    if(_S18 > _S17)
+    if(_S19 > _S18)
     {
         turns_1 = 0.25 - turns_0;
     }
@@ -459,9 +481,9 @@ float skin_turns(float y, float x)
 
 vec2 skin_equirectangular_uv(vec3 direction)
 {
-    float _S19 = direction.x;
-    float _S20 = direction.z;
-    return vec2(0.5 + skin_turns(_S20, _S19), 2.0 * skin_turns(sqrt(_S19 * _S19 + _S20 * _S20), direction.y));
+    float _S20 = direction.x;
+    float _S21 = direction.z;
+    return vec2(0.5 + skin_turns(_S21, _S20), 2.0 * skin_turns(sqrt(_S20 * _S20 + _S21 * _S21), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -472,10 +494,10 @@ float skin_reflection_level(float power)
 vec3 skin_preconvolved(texture2D preconvolved, sampler preconvolved_sampler, vec2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S21 = min(floor(level_0), 3.0);
+    float _S22 = min(floor(level_0), 3.0);
     float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
-    float _S22 = uv.x;
-    return mix((textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S22, (_S21 + row_1) / 5.0)), (0.0))).xyz, (textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S22, (_S21 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S21));
+    float _S23 = uv.x;
+    return mix((textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S23, (_S22 + row_1) / 5.0)), (0.0))).xyz, (textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S23, (_S22 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S22));
 }
 
 vec3 skin_reflected_radiance(texture2D preconvolved, sampler preconvolved_sampler, vec3 direction, float gloss)
@@ -488,22 +510,22 @@ vec3 skin_reflected_radiance(texture2D preconvolved, sampler preconvolved_sample
 vec3 skin_filmic(vec3 light)
 {
     vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
-    vec3 _S23 = 6.19999980926513672 * x_5;
-    return x_5 * (_S23 + 0.5) / (x_5 * (_S23 + 1.70000004768371582) + 0.05999999865889549);
+    vec3 _S24 = 6.19999980926513672 * x_5;
+    return x_5 * (_S24 + 0.5) / (x_5 * (_S24 + 1.70000004768371582) + 0.05999999865889549);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S24;
+    float _S25;
     if(x <= 0.00313080009073019)
     {
-        _S24 = 12.92000007629394531 * x;
+        _S25 = 12.92000007629394531 * x;
     }
     else
     {
-        _S24 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        _S25 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
     }
-    return _S24;
+    return _S25;
 }
 
 vec3 skin_srgb_from_linear(vec3 light)
@@ -514,16 +536,16 @@ vec3 skin_srgb_from_linear(vec3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S25;
+    float _S26;
     if(x <= 0.04044999927282333)
     {
-        _S25 = x / 12.92000007629394531;
+        _S26 = x / 12.92000007629394531;
     }
     else
     {
-        _S25 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S26 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
-    return _S25;
+    return _S26;
 }
 
 vec3 skin_linear_from_srgb(vec3 display)

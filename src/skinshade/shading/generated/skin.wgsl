@@ -347,6 +347,28 @@ fn skin_bounced_visibility(visibility : vec3<f32>, albedo : vec3<f32>) -> vec3<f
     return max(visibility, ((visibility * (vec3<f32>(2.04040002822875977f) * albedo - vec3<f32>(0.33239999413490295f)) + (vec3<f32>(-4.79510021209716797f) * albedo + vec3<f32>(0.64170002937316895f))) * visibility + (vec3<f32>(2.75519990921020508f) * albedo + vec3<f32>(0.69029998779296875f))) * visibility);
 }
 
+fn skin_sh_product(a : mat3x3<f32>, b : mat3x3<f32>) -> f32
+{
+    return dot(a[i32(0)], b[i32(0)]) + dot(a[i32(1)], b[i32(1)]) + dot(a[i32(2)], b[i32(2)]);
+}
+
+fn skin_transferred_irradiance(ambient_transfer_red : mat3x3<f32>, ambient_transfer_green : mat3x3<f32>, ambient_transfer_blue : mat3x3<f32>, radiance_sh_red : mat3x3<f32>, radiance_sh_green : mat3x3<f32>, radiance_sh_blue : mat3x3<f32>) -> vec3<f32>
+{
+    return max(vec3<f32>(skin_sh_product(ambient_transfer_red, radiance_sh_red), skin_sh_product(ambient_transfer_green, radiance_sh_green), skin_sh_product(ambient_transfer_blue, radiance_sh_blue)), vec3<f32>(0.0f));
+}
+
+fn skin_reflected_visibility(sky_harmonics : mat3x3<f32>, normal : vec3<f32>, direction : vec3<f32>) -> f32
+{
+    var bands_0 : vec3<f32> = skin_sh_bands(sky_harmonics, direction);
+    var _S19 : f32 = max(dot(normal, direction), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S19 * (2.0f + 1.875f * _S19)) * 0.07957746833562851f));
+}
+
+fn skin_occluded_reflection(sky : vec3<f32>, bounced : vec3<f32>, sky_harmonics : mat3x3<f32>, normal : vec3<f32>, direction : vec3<f32>) -> vec3<f32>
+{
+    return mix(bounced / vec3<f32>(max(1.0f - sky_harmonics[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky, vec3<f32>(skin_reflected_visibility(sky_harmonics, normal, direction)));
+}
+
 fn skin_specular_visibility(n_dot_v : f32, visibility : f32, roughness : f32) -> f32
 {
     var exponent_0 : f32 = exp2(-16.0f * roughness - 1.0f);
@@ -377,16 +399,16 @@ fn skin_gloss_of_relief(gloss : f32, normal_length : f32) -> f32
 
 fn skin_gloss_from_roughness(roughness : f32) -> f32
 {
-    var _S19 : f32 = max(roughness, 0.00100000004749745f);
-    var r2_0 : f32 = _S19 * _S19;
+    var _S20 : f32 = max(roughness, 0.00100000004749745f);
+    var r2_0 : f32 = _S20 * _S20;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 fn skin_lobe(n_dot_h : f32, n_dot_l : f32, n_dot_v : f32, power : f32) -> f32
 {
     var k_0 : f32 = skin_rsqrt_0(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    var _S20 : f32 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S20 * n_dot_l) * (k_0 + _S20 * n_dot_v)));
+    var _S21 : f32 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S21 * n_dot_l) * (k_0 + _S21 * n_dot_v)));
 }
 
 fn skin_specular(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, gloss : f32, reflectance : f32) -> f32
@@ -421,13 +443,13 @@ fn skin_diffuse_share(n_dot_v : f32, gloss : f32, reflectance : f32) -> f32
 fn skin_turns(y : f32, x : f32) -> f32
 {
     var size_0 : vec2<f32> = abs(vec2<f32>(x, y));
-    var _S21 : f32 = size_0.x;
-    var _S22 : f32 = size_0.y;
-    var r_0 : f32 = min(_S21, _S22) / max(max(_S21, _S22), 1.00000000317107685e-30f);
+    var _S22 : f32 = size_0.x;
+    var _S23 : f32 = size_0.y;
+    var r_0 : f32 = min(_S22, _S23) / max(max(_S22, _S23), 1.00000000317107685e-30f);
     var r2_1 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S22 > _S21)
+    if(_S23 > _S22)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -448,9 +470,9 @@ fn skin_turns(y : f32, x : f32) -> f32
 
 fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
 {
-    var _S23 : f32 = direction.x;
-    var _S24 : f32 = direction.z;
-    return vec2<f32>(0.5f + skin_turns(_S24, _S23), 2.0f * skin_turns(sqrt(_S23 * _S23 + _S24 * _S24), direction.y));
+    var _S24 : f32 = direction.x;
+    var _S25 : f32 = direction.z;
+    return vec2<f32>(0.5f + skin_turns(_S25, _S24), 2.0f * skin_turns(sqrt(_S24 * _S24 + _S25 * _S25), direction.y));
 }
 
 fn skin_reflection_level(power : f32) -> f32
@@ -461,10 +483,10 @@ fn skin_reflection_level(power : f32) -> f32
 fn skin_preconvolved(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, uv : vec2<f32>, power : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level(power);
-    var _S25 : f32 = min(floor(level_0), 3.0f);
+    var _S26 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    var _S26 : f32 = uv.x;
-    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S26, (_S25 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S26, (_S25 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S25)));
+    var _S27 : f32 = uv.x;
+    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S27, (_S26 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S27, (_S26 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S26)));
 }
 
 fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, gloss : f32) -> vec3<f32>
@@ -477,22 +499,22 @@ fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler 
 fn skin_filmic(light : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S27 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S27 + vec3<f32>(0.5f)) / (x_3 * (_S27 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S28 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S28 + vec3<f32>(0.5f)) / (x_3 * (_S28 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 fn skin_srgb_curve(x : f32) -> f32
 {
-    var _S28 : f32;
+    var _S29 : f32;
     if(x <= 0.00313080009073019f)
     {
-        _S28 = 12.92000007629394531f * x;
+        _S29 = 12.92000007629394531f * x;
     }
     else
     {
-        _S28 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S29 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S28;
+    return _S29;
 }
 
 fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
@@ -503,16 +525,16 @@ fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
 
 fn skin_linear_curve(x : f32) -> f32
 {
-    var _S29 : f32;
+    var _S30 : f32;
     if(x <= 0.04044999927282333f)
     {
-        _S29 = x / 12.92000007629394531f;
+        _S30 = x / 12.92000007629394531f;
     }
     else
     {
-        _S29 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S30 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S29;
+    return _S30;
 }
 
 fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>

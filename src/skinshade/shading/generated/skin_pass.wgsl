@@ -145,6 +145,8 @@ struct Vertex_0
      v8_0 : vec4<f32>,
      v9_0 : vec4<f32>,
      v10_0 : vec4<f32>,
+     v11_0 : vec4<f32>,
+     v12_0 : vec4<f32>,
 };
 
 fn position_of_0( vertex_0 : Vertex_0) -> vec3<f32>
@@ -166,6 +168,8 @@ struct Fragment_0
     @location(8) v8_1 : vec4<f32>,
     @location(9) v9_1 : vec4<f32>,
     @location(10) v10_1 : vec4<f32>,
+    @location(11) v11_1 : vec4<f32>,
+    @location(12) v12_1 : vec4<f32>,
 };
 
 fn fragment_of_0( vertex_1 : Vertex_0,  clip_1 : vec4<f32>) -> Fragment_0
@@ -183,6 +187,8 @@ fn fragment_of_0( vertex_1 : Vertex_0,  clip_1 : vec4<f32>) -> Fragment_0
     fragment_0.v8_1 = vertex_1.v8_0;
     fragment_0.v9_1 = vertex_1.v9_0;
     fragment_0.v10_1 = vertex_1.v10_0;
+    fragment_0.v11_1 = vertex_1.v11_0;
+    fragment_0.v12_1 = vertex_1.v12_0;
     return fragment_0;
 }
 
@@ -199,12 +205,14 @@ struct vertexInput_0
     @location(8) v8_2 : vec4<f32>,
     @location(9) v9_2 : vec4<f32>,
     @location(10) v10_2 : vec4<f32>,
+    @location(11) v11_2 : vec4<f32>,
+    @location(12) v12_2 : vec4<f32>,
 };
 
 @vertex
 fn vertex_main( _S1 : vertexInput_0) -> Fragment_0
 {
-    var _S2 : Vertex_0 = Vertex_0( _S1.v0_2, _S1.v1_2, _S1.v2_2, _S1.v3_2, _S1.v4_2, _S1.v5_2, _S1.v6_2, _S1.v7_2, _S1.v8_2, _S1.v9_2, _S1.v10_2 );
+    var _S2 : Vertex_0 = Vertex_0( _S1.v0_2, _S1.v1_2, _S1.v2_2, _S1.v3_2, _S1.v4_2, _S1.v5_2, _S1.v6_2, _S1.v7_2, _S1.v8_2, _S1.v9_2, _S1.v10_2, _S1.v11_2, _S1.v12_2 );
     var p_0 : vec4<f32> = vec4<f32>(position_of_0(_S2), 1.0f);
     return fragment_of_0(_S2, vec4<f32>(dot(frame_block_0.clip_x_0, p_0), dot(frame_block_0.clip_y_0, p_0), dot(frame_block_0.clip_z_0, p_0), dot(frame_block_0.clip_w_0, p_0)));
 }
@@ -222,6 +230,7 @@ struct Attributes_0
      visibility_0 : vec3<f32>,
      through_0 : vec3<f32>,
      bounced_0 : vec3<f32>,
+     sky_harmonics_0 : mat3x3<f32>,
      mesh_relief_0 : vec3<f32>,
 };
 
@@ -242,7 +251,8 @@ fn attributes_of_0( fragment_1 : Fragment_0) -> Attributes_0
     a_0.visibility_0 = vec3<f32>(fragment_1.v7_1.w, fragment_1.v8_1.x, fragment_1.v8_1.y);
     a_0.through_0 = vec3<f32>(fragment_1.v8_1.z, fragment_1.v8_1.w, fragment_1.v9_1.x);
     a_0.bounced_0 = vec3<f32>(fragment_1.v9_1.y, fragment_1.v9_1.z, fragment_1.v9_1.w);
-    a_0.mesh_relief_0 = vec3<f32>(fragment_1.v10_1.x, fragment_1.v10_1.y, fragment_1.v10_1.z);
+    a_0.sky_harmonics_0 = mat3x3<f32>(vec3<f32>(fragment_1.v10_1.x, fragment_1.v10_1.y, fragment_1.v10_1.z), vec3<f32>(fragment_1.v10_1.w, fragment_1.v11_1.x, fragment_1.v11_1.y), vec3<f32>(fragment_1.v11_1.z, fragment_1.v11_1.w, fragment_1.v12_1.x));
+    a_0.mesh_relief_0 = vec3<f32>(fragment_1.v12_1.y, fragment_1.v12_1.z, fragment_1.v12_1.w);
     return a_0;
 }
 
@@ -326,6 +336,7 @@ struct Surface_0
      visibility_1 : vec3<f32>,
      through_1 : vec3<f32>,
      bounced_1 : vec3<f32>,
+     sky_harmonics_1 : mat3x3<f32>,
 };
 
 fn surface_of_0( a_1 : Attributes_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f32>) -> Surface_0
@@ -343,6 +354,7 @@ fn surface_of_0( a_1 : Attributes_0,  along_x_1 : vec2<f32>,  along_y_1 : vec2<f
     s_0.visibility_1 = a_1.visibility_0;
     s_0.through_1 = a_1.through_0;
     s_0.bounced_1 = a_1.bounced_0;
+    s_0.sky_harmonics_1 = a_1.sky_harmonics_0;
     var specular_texel_0 : vec4<f32> = map_color_0(specular_map_0, i32(2), a_1.uv_0, along_x_1, along_y_1);
     s_0.reflectance_1 = skin_block_0.reflectance_0 * specular_texel_0.x;
     s_0.gloss_3 = specular_texel_0.y;
@@ -966,37 +978,10 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
     return vec3<f32>(skin_ambient_channel_0(radiance_sh_red_0, normals_6[i32(0)], t_6[i32(0)]), skin_ambient_channel_0(radiance_sh_green_0, normals_6[i32(1)], t_6[i32(1)]), skin_ambient_channel_0(radiance_sh_blue_0, normals_6[i32(2)], t_6[i32(2)]));
 }
 
-fn ambient_light_0( s_6 : Surface_0,  normals_7 : mat3x3<f32>,  gain_4 : vec3<f32>) -> vec3<f32>
+fn sky_light_0( normals_7 : mat3x3<f32>) -> vec3<f32>
 {
     var _S67 : vec3<f32> = vec3<f32>(1.0f);
-    var _S68 : mat3x3<f32> = mat3x3<f32>(_S67, _S67, _S67);
-    var bands_0 : mat3x3<f32>;
-    if(SHADING_0 == i32(2))
-    {
-        var kappa_0 : f32 = abs(s_6.curvature_per_mm_0);
-        bands_0 = mat3x3<f32>(gain_4, gain_4 * skin_transfer_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, sqrt(2.0f) * kappa_0), gain_4 * skin_transfer_0(transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, sqrt(6.0f) * kappa_0));
-    }
-    else
-    {
-        bands_0 = _S68;
-    }
-    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), normals_7, bands_0);
-}
-
-fn skin_specular_visibility_0( n_dot_v_2 : f32,  visibility_2 : f32,  roughness_0 : f32) -> f32
-{
-    var exponent_0 : f32 = exp2(-16.0f * roughness_0 - 1.0f);
-    var base_0 : f32 = n_dot_v_2 + visibility_2;
-    var power_2 : f32;
-    if(base_0 > 0.0f)
-    {
-        power_2 = pow(base_0, exponent_0);
-    }
-    else
-    {
-        power_2 = 0.0f;
-    }
-    return saturate(power_2 - 1.0f + visibility_2);
+    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), normals_7, mat3x3<f32>(_S67, _S67, _S67));
 }
 
 fn skin_reflected_0( normal_8 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
@@ -1007,13 +992,13 @@ fn skin_reflected_0( normal_8 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
 fn skin_turns_0( y_1 : f32,  x_4 : f32) -> f32
 {
     var size_1 : vec2<f32> = abs(vec2<f32>(x_4, y_1));
-    var _S69 : f32 = size_1.x;
-    var _S70 : f32 = size_1.y;
-    var r_0 : f32 = min(_S69, _S70) / max(max(_S69, _S70), 1.00000000317107685e-30f);
+    var _S68 : f32 = size_1.x;
+    var _S69 : f32 = size_1.y;
+    var r_0 : f32 = min(_S68, _S69) / max(max(_S68, _S69), 1.00000000317107685e-30f);
     var r2_0 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_0 * (-0.05293257534503937f + r2_0 * (0.03076364658772945f + r2_0 * (-0.01842727139592171f + r2_0 * (0.00826387945562601f - r2_0 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S70 > _S69)
+    if(_S69 > _S68)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -1034,42 +1019,54 @@ fn skin_turns_0( y_1 : f32,  x_4 : f32) -> f32
 
 fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S71 : f32 = direction_1.x;
-    var _S72 : f32 = direction_1.z;
-    return vec2<f32>(0.5f + skin_turns_0(_S72, _S71), 2.0f * skin_turns_0(sqrt(_S71 * _S71 + _S72 * _S72), direction_1.y));
+    var _S70 : f32 = direction_1.x;
+    var _S71 : f32 = direction_1.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S71, _S70), 2.0f * skin_turns_0(sqrt(_S70 * _S70 + _S71 * _S71), direction_1.y));
 }
 
-fn skin_reflection_level_0( power_3 : f32) -> f32
+fn skin_reflection_level_0( power_2 : f32) -> f32
 {
-    return clamp(0.5f * log2(max(power_3, 1.0f)), 0.0f, 4.0f);
+    return clamp(0.5f * log2(max(power_2, 1.0f)), 0.0f, 4.0f);
 }
 
-fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_5 : vec2<f32>,  power_4 : f32) -> vec3<f32>
+fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_5 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
-    var level_0 : f32 = skin_reflection_level_0(power_4);
-    var _S73 : f32 = min(floor(level_0), 3.0f);
+    var level_0 : f32 = skin_reflection_level_0(power_3);
+    var _S72 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_5.y, 0.0078125f, 0.9921875f);
-    var _S74 : f32 = uv_5.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S74, (_S73 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S73)));
+    var _S73 : f32 = uv_5.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S73, (_S72 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S73, (_S72 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S72)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
 {
     var uv_6 : vec2<f32> = skin_equirectangular_uv_0(direction_2);
-    var power_5 : f32 = skin_specular_power_0(gloss_5);
-    return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_6, power_5 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_6, power_5 * power_5 / 4.0f), vec3<f32>(0.05000000074505806f));
+    var power_4 : f32 = skin_specular_power_0(gloss_5);
+    return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_6, power_4 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_6, power_4 * power_4 / 4.0f), vec3<f32>(0.05000000074505806f));
 }
 
-fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_6 : f32,  reflectance_3 : f32) -> f32
+fn skin_reflected_visibility_0( sky_harmonics_2 : mat3x3<f32>,  normal_9 : vec3<f32>,  direction_3 : vec3<f32>) -> f32
 {
-    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_3);
+    var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_2, direction_3);
+    var _S74 : f32 = max(dot(normal_9, direction_3), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S74 * (2.0f + 1.875f * _S74)) * 0.07957746833562851f));
+}
+
+fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_2 : vec3<f32>,  sky_harmonics_3 : mat3x3<f32>,  normal_10 : vec3<f32>,  direction_4 : vec3<f32>) -> vec3<f32>
+{
+    return mix(bounced_2 / vec3<f32>(max(1.0f - sky_harmonics_3[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_3, normal_10, direction_4)));
+}
+
+fn skin_ambient_specular_fresnel_0( n_dot_v_2 : f32,  gloss_6 : f32,  reflectance_3 : f32) -> f32
+{
+    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_2);
     var grazing2_1 : f32 = grazing_1 * grazing_1;
     return reflectance_3 + (1.0f - reflectance_3) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_6);
 }
 
-fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_7 : f32,  reflectance_4 : f32) -> f32
+fn skin_diffuse_share_0( n_dot_v_3 : f32,  gloss_7 : f32,  reflectance_4 : f32) -> f32
 {
-    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_7, reflectance_4);
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_3, gloss_7, reflectance_4);
 }
 
 struct pixelOutput_0
@@ -1090,6 +1087,8 @@ struct pixelInput_0
     @location(8) v8_3 : vec4<f32>,
     @location(9) v9_3 : vec4<f32>,
     @location(10) v10_3 : vec4<f32>,
+    @location(11) v11_3 : vec4<f32>,
+    @location(12) v12_3 : vec4<f32>,
 };
 
 @fragment
@@ -1098,10 +1097,10 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S76 : Fragment_0 = Fragment_0( clip_2, _S75.v0_3, _S75.v1_3, _S75.v2_3, _S75.v3_3, _S75.v4_3, _S75.v5_3, _S75.v6_3, _S75.v7_3, _S75.v8_3, _S75.v9_3, _S75.v10_3 );
+    var _S76 : Fragment_0 = Fragment_0( clip_2, _S75.v0_3, _S75.v1_3, _S75.v2_3, _S75.v3_3, _S75.v4_3, _S75.v5_3, _S75.v6_3, _S75.v7_3, _S75.v8_3, _S75.v9_3, _S75.v10_3, _S75.v11_3, _S75.v12_3 );
     var a_2 : Attributes_0 = attributes_of_0(_S76);
     var _S77 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_7 : Surface_0 = surface_of_0(a_2, dpdx(a_2.uv_0) * _S77, dpdy(a_2.uv_0) * _S77);
+    var s_6 : Surface_0 = surface_of_0(a_2, dpdx(a_2.uv_0) * _S77, dpdy(a_2.uv_0) * _S77);
     var _S78 : bool;
     if(OPACITY_CUTOFF_0 > i32(0))
     {
@@ -1118,33 +1117,33 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     if(VIEW_0 == i32(1))
     {
         var _S79 : vec3<f32> = vec3<f32>(0.5f);
-        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_7.sharp_0), 1.0f) );
+        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_6.sharp_0), 1.0f) );
         return _S80;
     }
     if(VIEW_0 == i32(2))
     {
         var _S81 : vec3<f32> = vec3<f32>(0.5f);
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_7.blurred_0), 1.0f) );
+        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_6.blurred_0), 1.0f) );
         return _S82;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_7.curvature_per_mm_0), 1.0f) );
+        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_6.curvature_per_mm_0), 1.0f) );
         return _S83;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_7.albedo_1, 1.0f) );
+        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_6.albedo_1, 1.0f) );
         return _S84;
     }
-    var _S85 : vec3<f32> = s_7.sharp_0;
+    var _S85 : vec3<f32> = s_6.sharp_0;
     var _S86 : mat3x3<f32> = mat3x3<f32>(_S85, _S85, _S85);
     var _S87 : vec3<f32> = vec3<f32>(1.0f);
     var _S88 : bool = SHADING_0 == i32(1);
     var normals_8 : mat3x3<f32>;
     if(_S88)
     {
-        normals_8 = skin_classic_ambient_normals_0(s_7.sharp_0, s_7.blurred_0);
+        normals_8 = skin_classic_ambient_normals_0(s_6.sharp_0, s_6.blurred_0);
     }
     else
     {
@@ -1152,20 +1151,20 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     var _S89 : bool = SHADING_0 == i32(2);
     var diffused_0 : Diffused_0;
-    var gain_5 : vec3<f32>;
+    var gain_4 : vec3<f32>;
     if(_S89)
     {
-        var diffused_1 : Diffused_0 = diffused_surface_0(s_7);
-        var _S90 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_7.diffused_curvature_per_mm_0);
+        var diffused_1 : Diffused_0 = diffused_surface_0(s_6);
+        var _S90 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_6.diffused_curvature_per_mm_0);
         diffused_0 = diffused_1;
-        gain_5 = _S90;
+        gain_4 = _S90;
         normals_8 = diffused_1.normals_1;
     }
     else
     {
-        gain_5 = _S87;
+        gain_4 = _S87;
     }
-    var tint_1 : vec3<f32> = s_7.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
+    var tint_1 : vec3<f32> = s_6.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
     var _S91 : vec3<f32> = vec3<f32>(0.0f);
     var largest_filter_0 : f32;
     if(LIGHTS_0 > i32(0))
@@ -1206,17 +1205,17 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         {
             break;
         }
-        var light_8 : Incident_0 = incident_0(index_1, s_7);
+        var light_8 : Incident_0 = incident_0(index_1, s_6);
         var _S92 : f32 = max(largest_filter_0, light_8.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
             thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
         }
-        var n_dot_l_6 : f32 = dot(s_7.mesh_normal_0, light_8.to_light_2);
+        var n_dot_l_6 : f32 = dot(s_6.mesh_normal_0, light_8.to_light_2);
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S78 = (dot(s_7.blurred_0, light_8.to_light_2)) < 0.30000001192092896f;
+            _S78 = (dot(s_6.blurred_0, light_8.to_light_2)) < 0.30000001192092896f;
         }
         else
         {
@@ -1224,7 +1223,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         }
         if(_S78)
         {
-            deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_7, light_8);
+            deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_6, light_8);
         }
         if((light_8.shadow_filter_0) == 0.0f)
         {
@@ -1236,7 +1235,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
         if(SHADING_0 == i32(0))
         {
-            direct_0 = direct_3 + light_8.radiance_0 * vec3<f32>(max(dot(s_7.sharp_0, light_8.to_light_2), 0.0f)) * vec3<f32>(lit_0);
+            direct_0 = direct_3 + light_8.radiance_0 * vec3<f32>(max(dot(s_6.sharp_0, light_8.to_light_2), 0.0f)) * vec3<f32>(lit_0);
         }
         else
         {
@@ -1245,7 +1244,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         var lit_1 : f32;
         if(_S88)
         {
-            var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_7.sharp_0, s_7.blurred_0, light_8.to_light_2, s_7.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
+            var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_6.sharp_0, s_6.blurred_0, light_8.to_light_2, s_6.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
             lit_1 = skin_classic_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
             direct_1 = direct_4;
         }
@@ -1256,13 +1255,13 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         }
         if(_S89)
         {
-            direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_7, diffused_0, light_8.to_light_2, gain_5) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
+            direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_6, diffused_0, light_8.to_light_2, gain_4) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
         }
         else
         {
             direct_2 = direct_1;
         }
-        var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_7.sharp_0, s_7.view_0, light_8.to_light_2, s_7.gloss_3, s_7.reflectance_1));
+        var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_6.sharp_0, s_6.view_0, light_8.to_light_2, s_6.gloss_3, s_6.reflectance_1));
         direct_3 = direct_2;
         specular_0 = specular_1;
         var _S93 : i32 = index_1 + i32(1);
@@ -1281,9 +1280,9 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S96 : vec3<f32> = ambient_light_0(s_7, normals_8, gain_5) * s_7.visibility_1 + s_7.bounced_1;
-        var n_dot_v_5 : f32 = dot(s_7.sharp_0, s_7.view_0);
-        var _S97 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_7.sharp_0, s_7.view_0), s_7.gloss_3) * vec3<f32>(skin_ambient_specular_fresnel_0(n_dot_v_5, s_7.gloss_3, s_7.reflectance_1)) * vec3<f32>(skin_specular_visibility_0(n_dot_v_5, dot(s_7.visibility_1, vec3<f32>(0.3333333432674408f)), 1.0f - s_7.gloss_3));
+        var _S96 : vec3<f32> = gain_4 * (sky_light_0(normals_8) * s_6.visibility_1 + s_6.bounced_1);
+        var mirror_0 : vec3<f32> = skin_reflected_0(s_6.sharp_0, s_6.view_0);
+        var _S97 : vec3<f32> = skin_occluded_reflection_0(skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, mirror_0, s_6.gloss_3), s_6.bounced_1, s_6.sky_harmonics_1, s_6.mesh_normal_0, mirror_0) * vec3<f32>(skin_ambient_specular_fresnel_0(dot(s_6.sharp_0, s_6.view_0), s_6.gloss_3, s_6.reflectance_1));
         if(_S89)
         {
             _S78 = TAPS_0 > i32(0);
@@ -1294,7 +1293,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         }
         if(_S78)
         {
-            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_7.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
+            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_6.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
@@ -1314,11 +1313,11 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     var body_0 : vec3<f32>;
     if(SHADING_0 != i32(1))
     {
-        body_0 = s_7.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_7.mesh_normal_0, s_7.view_0), s_7.gloss_3, s_7.reflectance_1));
+        body_0 = s_6.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_6.mesh_normal_0, s_6.view_0), s_6.gloss_3, s_6.reflectance_1));
     }
     else
     {
-        body_0 = s_7.albedo_1;
+        body_0 = s_6.albedo_1;
     }
     var direct_5 : vec3<f32> = direct_3 * body_0;
     var deep_1 : vec3<f32> = deep_0 * body_0;
