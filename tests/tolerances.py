@@ -188,3 +188,10 @@ COARSE_EXTENT = Tolerance(
     0.02, "the extremes of a rotated sphere of 162 vertices lie between vertices"
 )
 MEMORY_OF_A_BOMB = Tolerance(2.0, "memory over that of a valid file of equal content")
+
+# -- sun of an environment -------------------------------------------------------------------------
+
+SUN_FLUX = Tolerance(1e-3, "irradiance of a drawn sun; float32 texels give 1e-6; relative")
+SUN_DIRECTION_DEG = Tolerance(0.1, "degrees; the drawn disc has samples of a ninth of a texel")
+SUN_CONSERVATION = Tolerance(1e-6, "sums of float32 texels in float64; relative")
+SUN_SHARE = Tolerance(0.005, "shares are stated in whole per cent")

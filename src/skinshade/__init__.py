@@ -40,6 +40,7 @@ if TYPE_CHECKING:
         Scene,
         SpotLight,
         load_scene,
+        split_sun,
     )
     from .sdk import export_shaders
     from .shading.skin import Skin
@@ -90,6 +91,7 @@ __all__ = [
     "presets",
     "render",
     "save_image",
+    "split_sun",
     "use_limits",
     "vertex_attributes",
 ]
@@ -126,6 +128,7 @@ _MODULES = {
         "Scene",
         "SpotLight",
         "load_scene",
+        "split_sun",
     ),
     ".sdk": ("export_shaders",),
     ".shading.skin": ("Skin",),

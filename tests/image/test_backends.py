@@ -156,6 +156,13 @@ def test_the_scan_is_the_same_picture_in_every_shading(scan, shading):
     assert_equal_pictures(scan, shading=shading)
 
 
+def test_the_sun_of_the_sky_lights_the_scan_on_both_backends(scan):
+    _, gpu, cpu = scan
+    for renderer in (gpu, cpu):
+        assert len(renderer.prepared.lights) == len(renderer.prepared.shadow_maps) == 2
+    assert np.array_equal(gpu.prepared.lights[1].irradiance, cpu.prepared.lights[1].irradiance)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["blurred-normal", "curvature", "thickness", "shadow"])
 def test_the_scan_is_the_same_picture_in_a_debug_view(scan, view):

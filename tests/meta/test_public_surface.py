@@ -37,6 +37,7 @@ CONTRACT = {
     "presets": "",
     "render": "scene, *, size=(1280, 720), backend='auto', samples=4",
     "save_image": "path, image, *, tone=None, exposure=None",
+    "split_sun": "environment",
     "use_limits": "base=None, /, **changes",
     "Lut.load": "path",
     "Profile.burley": "*, length_mm, kind, albedo",

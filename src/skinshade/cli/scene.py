@@ -138,6 +138,13 @@ class LightOptions:
     show_env: Annotated[
         bool, typer.Option("--show-env", help="Show the environment behind the head.")
     ] = False
+    no_extract_sun: Annotated[
+        bool,
+        typer.Option(
+            "--no-extract-sun",
+            help="The sun of the environment stays in its image, without a shadow of its own.",
+        ),
+    ] = False
     background: Annotated[str | None, typer.Option(help="Linear colour r,g,b behind the head.")] = (
         None
     )
@@ -211,7 +218,12 @@ def _with_material(scene: Scene, material: MaterialOptions) -> Scene:
 
 def _with_environment(scene: Scene, light: LightOptions) -> Scene:
     if light.env is not None:
-        environment = Environment.load(light.env, scale=light.env_scale, visible=light.show_env)
+        environment = Environment.load(
+            light.env,
+            scale=light.env_scale,
+            visible=light.show_env,
+            extract_sun=not light.no_extract_sun,
+        )
         return replace(scene, environment=environment)
     if scene.environment is None:
         return scene
@@ -219,6 +231,7 @@ def _with_environment(scene: Scene, light: LightOptions) -> Scene:
         scene.environment,
         scale=scene.environment.scale * light.env_scale,
         visible=scene.environment.visible or light.show_env,
+        extract_sun=scene.environment.extract_sun and not light.no_extract_sun,
     )
     return replace(scene, environment=environment)
 

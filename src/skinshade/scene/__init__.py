@@ -7,6 +7,7 @@ from .lights import DirectionalLight, Light, SpotLight
 from .material import Material
 from .part import Part
 from .scene import Scene
+from .sun import split_sun
 
 __all__ = [
     "Camera",
@@ -18,4 +19,5 @@ __all__ = [
     "Scene",
     "SpotLight",
     "load_scene",
+    "split_sun",
 ]

@@ -25,6 +25,7 @@ from ..shading.image_light import (
     bilinear,
     equirectangular_uv,
 )
+from .equirectangular import averaged, grid_directions, row_solid_angle
 from .images import read_linear
 
 __all__ = ["Environment"]
@@ -32,8 +33,6 @@ __all__ = ["Environment"]
 BANDS = 64
 """Harmonics kept for reflections: a Phong lobe of power p needs about 2√(p+1) of them."""
 WORK_SIZE = (256, 128)
-ROWS = 64
-"""Rows of an image that are averaged at once."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -48,6 +47,9 @@ class Environment:
         Factor on the radiance, 0..1e6.
     visible
         Show the environment behind the body.
+    extract_sun
+        Draw the sun of the image as a light with a shadow, see `skinshade.split_sun`. The background
+        shows the image with its sun.
 
     Examples
     --------
@@ -59,6 +61,7 @@ class Environment:
     radiance: ImageArray
     scale: float = 1.0
     visible: bool = False
+    extract_sun: bool = True
 
     def __post_init__(self) -> None:
         try:
@@ -82,7 +85,12 @@ class Environment:
 
     @classmethod
     def load(
-        cls, path: str | os.PathLike[str], *, scale: float = 1.0, visible: bool = False
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        scale: float = 1.0,
+        visible: bool = False,
+        extract_sun: bool = True,
     ) -> Environment:
         """Read an equirectangular image.
 
@@ -94,6 +102,8 @@ class Environment:
             Factor on the radiance, 0..1e6.
         visible
             Show the environment behind the body.
+        extract_sun
+            Draw the sun of the image as a light with a shadow.
 
         Raises
         ------
@@ -106,7 +116,7 @@ class Environment:
             raise ImageFileError(
                 f"{path}: its radiance reaches {image.max():g}; the greatest is {LARGEST_RADIANCE:g}"
             )
-        return cls(image, scale, visible)
+        return cls(image, scale, visible, extract_sun)
 
     @classmethod
     def constant(cls, radiance: ArrayLike, *, scale: float = 1.0) -> Environment:
@@ -139,7 +149,7 @@ class Environment:
             Factor on the radiance, 0..1e6.
         """
         height, width = WORK_SIZE[1], WORK_SIZE[0]
-        directions = _grid_directions(height, width)
+        directions = grid_directions(height, width)
         image = np.full((height, width, 3), 0.06) * (0.6 + 0.4 * directions[..., 1:2])
         image += np.array([0.05, 0.04, 0.03]) * np.maximum(-directions[..., 1:2], 0.0)
         panels = (
@@ -164,10 +174,10 @@ class Environment:
         order
             Greatest band, 0..4.
         """
-        image = _averaged(self.radiance, WORK_SIZE)
+        image = averaged(self.radiance, WORK_SIZE)
         height, width = image.shape[:2]
-        directions = _grid_directions(height, width).reshape(-1, 3)
-        weights = np.repeat(_row_solid_angle(height) / width, width)
+        directions = grid_directions(height, width).reshape(-1, 3)
+        weights = np.repeat(row_solid_angle(height) / width, width)
         # The mean has one harmonic; a sum over texels would give it others.
         light = image.reshape(-1, 3)
         mean = weights @ light / weights.sum()
@@ -180,10 +190,10 @@ class Environment:
 
         The cell of a direction has the texels that are nearer to it than to the others of its set.
         """
-        image = _averaged(self.radiance, WORK_SIZE)
+        image = averaged(self.radiance, WORK_SIZE)
         height, width = image.shape[:2]
-        texels = _grid_directions(height, width).reshape(-1, 3)
-        weights = np.repeat(_row_solid_angle(height) / width, width)
+        texels = grid_directions(height, width).reshape(-1, 3)
+        weights = np.repeat(row_solid_angle(height) / width, width)
         light = weights[:, None] * image.reshape(-1, 3)
         result = np.empty(directions.shape)
         for means, own in zip(result, directions, strict=True):
@@ -197,7 +207,7 @@ class Environment:
 
     def preconvolved(self) -> PreconvolvedRadiance:
         """Return reflections at every roughness, by damping harmonics, which is smooth at any power."""
-        image = _averaged(self.radiance, WORK_SIZE)
+        image = averaged(self.radiance, WORK_SIZE)
         # Quadrature over the half of the sphere on which the lobe is not 0.
         nodes, weights = np.polynomial.legendre.leggauss(2 * BANDS)
         nodes = 0.5 + 0.5 * nodes
@@ -228,52 +238,11 @@ class Environment:
         return f"Environment({width}×{height}, scale={self.scale:g}, visible={self.visible})"
 
 
-def _grid_directions(height: int, width: int) -> FloatArray:
-    theta = (np.arange(height) + 0.5) / height * np.pi
-    phi = ((np.arange(width) + 0.5) / width - 0.5) * 2.0 * np.pi
-    sine = np.sin(theta)[:, None]
-    flat = np.broadcast_to(np.cos(theta)[:, None], (height, width))
-    return np.stack([sine * np.cos(phi), flat, sine * np.sin(phi)], axis=-1)
-
-
-def _row_solid_angle(height: int) -> FloatArray:
-    edges = np.cos(np.arange(height + 1) / height * np.pi)
-    return 2.0 * np.pi * (edges[:-1] - edges[1:])
-
-
-def _averaged(image: ImageArray, size: tuple[int, int]) -> FloatArray:
-    """Return an image averaged by area to a size (width, height); the total light is kept."""
-    height, width = image.shape[:2]
-    edges, wanted = np.linspace(0.0, 1.0, width + 1), np.linspace(0.0, 1.0, size[0] + 1)
-    narrow = np.empty((height, size[0], 3))
-    for start in range(0, height, ROWS):  # float64 of the whole image would take twice its memory
-        rows = image[start : start + ROWS].astype(np.float64)
-        narrow[start : start + ROWS] = _mean_between(rows.swapaxes(0, 1), edges, wanted).swapaxes(
-            0, 1
-        )
-    return _mean_between(narrow, _row_edges(height), _row_edges(size[1]))
-
-
-def _row_edges(height: int) -> FloatArray:
-    """Return −cos θ at the edges of rows: equal steps span equal solid angles."""
-    return -np.cos(np.arange(height + 1) / height * np.pi)
-
-
-def _mean_between(values: FloatArray, edges: FloatArray, wanted: FloatArray) -> FloatArray:
-    """Return the means between wanted edges of values (n, ...) that are constant between other edges."""
-    step = np.diff(edges)
-    sums = np.concatenate([np.zeros_like(values[:1]), np.cumsum(values * step[:, None, None], 0)])
-    at = np.clip(np.searchsorted(edges, wanted, side="right") - 1, 0, step.size - 1)
-    share = ((wanted - edges[at]) / step[at])[:, None, None]
-    read = sums[at] + share * (sums[at + 1] - sums[at])
-    return np.diff(read, axis=0) / np.diff(wanted)[:, None, None]
-
-
 def _zonal_machinery(rows_in: int, rows_out: int) -> tuple[list[FloatArray], list[FloatArray]]:
     """Return matrices (l, rows) from rows to harmonics of each order m, and back."""
     x_in = np.cos((np.arange(rows_in) + 0.5) / rows_in * np.pi)
     x_out = np.cos((np.arange(rows_out) + 0.5) / rows_out * np.pi)
-    weights = _row_solid_angle(rows_in)
+    weights = row_solid_angle(rows_in)
     analysis = [table * weights for table in _associated_legendre(x_in)]
     return analysis, _associated_legendre(x_out)
 

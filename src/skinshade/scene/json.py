@@ -255,4 +255,9 @@ def _environment(description: SceneFile, folder: Path) -> Environment | None:
     entry = description.environment
     if entry is None:
         return None
-    return Environment.load(folder / entry.path, scale=entry.scale, visible=entry.visible)
+    return Environment.load(
+        folder / entry.path,
+        scale=entry.scale,
+        visible=entry.visible,
+        extract_sun=entry.extract_sun,
+    )

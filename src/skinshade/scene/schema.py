@@ -205,6 +205,9 @@ class EnvironmentFile(_Model):
     path: Path
     scale: Factor = 1.0
     visible: bool = Field(False, description="Show it behind the body.")
+    extract_sun: bool = Field(
+        True, description="Draw the sun of the image as a light with a shadow."
+    )
 
 
 class ToneFile(_Model):

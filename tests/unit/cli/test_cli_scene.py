@@ -168,6 +168,21 @@ def test_scale_and_visibility_change_the_environment_of_the_scene(ball, file):
     assert built(file, light={"env_scale": 0.5}).environment is None
 
 
+def test_the_sun_is_extracted_unless_an_option_keeps_it_in_the_image(ball, file, inputs):
+    sky = {"env": inputs / "sky.exr"}
+    for model, light in ((ball, {}), (ball, sky), (file, sky)):
+        assert built(model, light=light).environment.extract_sun
+        kept = built(model, light=light | {"no_extract_sun": True})
+        assert not kept.environment.extract_sun
+
+
+def test_light_from_the_camera_does_not_turn_the_environment(ball):
+    view = {"view": "90,0", "light": ["0,0,1"]}
+    fixed, turned = (built(ball, light=view | {"light_from_camera": on}) for on in (False, True))
+    assert not np.allclose(fixed.lights[0].to_light, turned.lights[0].to_light)
+    assert np.array_equal(fixed.environment.radiance, turned.environment.radiance)
+
+
 def test_view_background_exposure_and_tone_are_those_of_the_options(ball):
     options = {"view": "10,20", "background": "0.1,0.2,0.3", "exposure": 0.0, "tone": "srgb"}
     scene, default = built(ball, light=options), built(ball)

@@ -56,7 +56,7 @@ SCENE = {
             "enabled": False,
         },
     ],
-    "environment": {"path": "sky.exr", "scale": 0.3, "visible": True},
+    "environment": {"path": "sky.exr", "scale": 0.3, "visible": True, "extract_sun": False},
     "background": [0.1, 0.2, 0.3],
     "tone": {"curve": "srgb", "exposure": 2.0},
 }
@@ -124,6 +124,7 @@ def test_geometry_camera_and_view_are_those_of_the_file_in_millimetres(folder):
     assert scene.camera.up.tolist() == [0.0, 1.0, 0.0]
     assert scene.camera.vertical_fov_deg == 25.0
     assert (scene.environment.scale, scene.environment.visible) == (0.3, True)
+    assert not scene.environment.extract_sun
     assert np.allclose(scene.environment.radiance, 0.5)
     assert scene.background.tolist() == [0.1, 0.2, 0.3]
     assert (scene.tone, scene.exposure) == (ToneCurve.SRGB, 2.0)
@@ -229,6 +230,7 @@ def test_the_scene_of_the_scan_has_the_values_of_its_file(data_dir):
     assert scene.material.normal.shape == scene.material.albedo.shape == (1024, 1024, 3)
     assert scene.environment.scale == stated["environment"]["scale"]
     assert not scene.environment.visible
+    assert scene.environment.extract_sun
     assert (scene.tone, scene.exposure) == ("srgb", 1.0)
 
 

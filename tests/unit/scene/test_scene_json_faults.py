@@ -185,6 +185,7 @@ WRONG = {
     "environment.path": (5, None, ""),
     "environment.scale": (*NO_NUMBERS, -0.1, None),
     "environment.visible": ("yes", 1, None),
+    "environment.extract_sun": ("yes", 1, None),
     "background": (*NO_VECTORS, 0.5, [0, 0, -0.1], None),
     "tone": (*NO_OBJECTS, None),
     "tone.curve": ("aces", 5, None),

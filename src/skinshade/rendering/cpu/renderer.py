@@ -192,7 +192,9 @@ class CpuRenderer(Renderer):
         incident = {
             kind: [
                 _incident(light, wide_filter, position, surface)
-                for light, wide_filter in zip(self.scene.lights, request.filters[kind], strict=True)
+                for light, wide_filter in zip(
+                    self.prepared.lights, request.filters[kind], strict=True
+                )
             ]
             for kind in {setting.shadow_filter for setting in settings}
         }

@@ -78,7 +78,9 @@ class GpuRenderer(Renderer):
         self._progress = progress
         self._stopwatch = Stopwatch(self.device)
         self._timings_ms: dict[str, list[float]] = {}
-        shadow_maps = DeviceShadowMaps(self.device, scene, self._stopwatch)
+        shadow_maps = DeviceShadowMaps(
+            self.device, scene.material.params.shadow_filter_width_mm, self._stopwatch
+        )
         self.prepared = self._guarded(
             lambda: prepare_scene(scene, progress, shadow_maps.rasterize, ambient)
         )

@@ -16,7 +16,7 @@ from ...gpu.textures import buffer
 from ...gpu.timing import Stopwatch
 from ...mesh import Mesh
 from ...params import LightParams
-from ...scene import Scene
+from ...scene import Light
 from ..prepare.light_view import MAP_SIZE, LightView
 from ..prepare.shadow_map import FAR_MM, ShadowMap
 from .programs import open_program
@@ -35,19 +35,21 @@ class DeviceShadowMaps:
     ----------
     device
         Device of the textures.
-    scene
-        Scene with its lights.
+    filter_width_mm
+        Width of the wide filter, mm.
     stopwatch
         Stopwatch that times the passes.
     """
 
-    def __init__(self, device: GPUDevice, scene: Scene, stopwatch: Stopwatch) -> None:
-        self._device, self._scene, self._stopwatch = device, scene, stopwatch
+    def __init__(self, device: GPUDevice, filter_width_mm: float, stopwatch: Stopwatch) -> None:
+        self._device, self._width_mm, self._stopwatch = device, filter_width_mm, stopwatch
+        self._lights: Sequence[Light] = ()
         self._views: Sequence[LightView] = ()
 
-    def rasterize(self, mesh: Mesh, views: Sequence[LightView]) -> list[ShadowMap]:
-        """Draw the shadow maps of a mesh and read them back."""
-        self._views = views
+    def rasterize(self, mesh: Mesh, lights: Sequence[Light]) -> list[ShadowMap]:
+        """Draw the shadow maps of a mesh, one for each light, and read them back."""
+        views = [LightView.of(light, mesh) for light in lights]
+        self._lights, self._views = lights, views
         self._draw(mesh)
         layers = [self._read(layer) for layer in range(2 * len(views))]
         return [
@@ -58,20 +60,19 @@ class DeviceShadowMaps:
     @cached_property
     def lights(self) -> GPUBuffer:
         """Storage buffer with one block for each light; one unused block if there is no light."""
-        width = self._scene.material.params.shadow_filter_width_mm
-        pairs = zip(self._scene.lights, self._views, strict=True)
-        data = b"".join(light_params(light, view, width).pack() for light, view in pairs)
+        pairs = zip(self._lights, self._views, strict=True)
+        data = b"".join(light_params(light, view, self._width_mm).pack() for light, view in pairs)
         return buffer(self._device, data or LightParams().pack(), BufferUsage.STORAGE)
 
     @cached_property
     def depths(self) -> GPUTexture:
         """Two layers for each light: depths of occluders, and depths of the nearest surface; mm."""
-        return self._layers(DEPTHS, 2 * max(len(self._scene.lights), 1))
+        return self._layers(DEPTHS, 2 * max(len(self._lights), 1))
 
     @cached_property
     def moments(self) -> GPUTexture:
         """One layer for each light: blurred depth from the body's middle, and its square; mm, mm²."""
-        count = len(self._scene.lights)
+        count = len(self._lights)
         layers = self._layers(MOMENTS, max(count, 1))
         if not count:
             return layers

@@ -52,7 +52,7 @@ class SkinPass:
         samples
             Samples per pixel, 1 or 4.
         """
-        part, scene = self._resources.part, self._resources.shared.prepared.scene
+        part, prepared = self._resources.part, self._resources.shared.prepared
         textures = part.textures
         maps = [kind for kind in MaterialMap if kind in textures and textures[kind].size > 1]
         constants = {
@@ -60,14 +60,14 @@ class SkinPass:
             "TIER": settings.tier.number,
             "VIEW": settings.debug_view.number,
             "TAPS": settings.thickness_taps,
-            "LIGHTS": len(scene.lights),
-            "ENVIRONMENT": int(scene.environment is not None),
+            "LIGHTS": len(prepared.lights),
+            "ENVIRONMENT": int(prepared.environment is not None),
             "SHADOW_FILTER": settings.shadow_filter.number,
             "FETCHES": settings.normal_fetches if MaterialMap.NORMAL in textures else 1,
             "MULTISAMPLED": int(samples > 1),
             "MAPS": sum(kind.bit for kind in maps),
             "OPACITY_CUTOFF": round(255.0 * part.opacity_cutoff),
-            "SPOT_LIGHTS": int(any(isinstance(light, SpotLight) for light in scene.lights)),
+            "SPOT_LIGHTS": int(any(isinstance(light, SpotLight) for light in prepared.lights)),
         }
         return self._program.pipeline(
             constants,

@@ -6,10 +6,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from ..._core.arrays import FloatArray
+from ..._core.limits import limits
 from ..._core.progress import Progress, silent
 from ...mesh import Mesh
 from ...params.choices import AmbientForm, ShadowFilter
-from ...scene import Scene
+from ...scene import Environment, Light, Scene, split_sun
 from ...shading.image_light import PreconvolvedRadiance
 from ...shading.skin import Skin
 from .ambient_light import gather_ambient_light
@@ -21,7 +22,7 @@ from .shadow_map import ShadowMap, rasterize_shadow_map
 
 __all__ = ["PreparedScene", "Rasterize", "prepare_scene"]
 
-Rasterize = Callable[[Mesh, Sequence[LightView]], Sequence[ShadowMap]]
+Rasterize = Callable[[Mesh, Sequence[Light]], Sequence[ShadowMap]]
 """Function that draws the shadow maps of a mesh, one for each light."""
 
 
@@ -33,21 +34,27 @@ class PreparedScene:
     ----------
     scene
         The scene.
+    lights
+        Lights that are drawn: those of the scene, then the sun of the environment if it is extracted.
+    environment
+        Environment that lights the body, without an extracted sun; the background shows `scene.environment`.
     parts
         Parts of the body, in the order of the faces in `vertices`; the first is skin.
     vertices
         Vertex attributes.
     shadow_maps
-        Shadow map of each light.
+        Shadow map of each of the `lights`.
     closer_filters
-        Percentage-closer filter of each light; empty without an environment.
+        Percentage-closer filter of each of the `lights`; empty without an environment.
     radiance_sh
-        (9, 3) spherical harmonics of the environment; None without an environment.
+        (9, 3) spherical harmonics of `environment`; None without an environment.
     preconvolved
-        Preconvolved reflections of the environment; None without an environment.
+        Preconvolved reflections of `environment`; None without an environment.
     """
 
     scene: Scene
+    lights: Sequence[Light]
+    environment: Environment | None
     parts: Sequence[PreparedPart]
     vertices: VertexTable
     shadow_maps: Sequence[ShadowMap]
@@ -56,9 +63,9 @@ class PreparedScene:
     preconvolved: PreconvolvedRadiance | None
 
 
-def rasterize_all(mesh: Mesh, views: Sequence[LightView]) -> list[ShadowMap]:
-    """Draw the shadow maps of a mesh on the CPU."""
-    return [rasterize_shadow_map(view, mesh) for view in views]
+def rasterize_all(mesh: Mesh, lights: Sequence[Light]) -> list[ShadowMap]:
+    """Draw the shadow maps of a mesh on the CPU, one for each light."""
+    return [rasterize_shadow_map(LightView.of(light, mesh), mesh) for light in lights]
 
 
 def prepare_scene(
@@ -80,14 +87,14 @@ def prepare_scene(
     form
         Form of the ambient light at the vertices.
     """
-    material, environment = scene.material, scene.environment
+    material = scene.material
+    lights, environment = _lights_and_environment(scene)
     progress("tables", 0.0)
     skin = Skin.of(material.profile, material.params, luts=())
     progress("shadow maps", 0.0)
     parts, faces = arrange_parts(scene, skin)
     casting = replace(scene.mesh, faces=casting_faces(parts, faces), materials=None)
-    views = [LightView.of(light, scene.mesh) for light in scene.lights]
-    shadow_maps = rasterize(casting, views)
+    shadow_maps = rasterize(casting, lights)
     progress("textures", 0.0)
     parts = with_textures(scene.mesh, parts, faces)
     closer_filters: list[WideFilter] = []
@@ -101,7 +108,7 @@ def prepare_scene(
         ambient = gather_ambient_light(
             casting,
             environment,
-            list(zip(scene.lights, closer_filters, strict=True)),
+            list(zip(lights, closer_filters, strict=True)),
             skin,
             vertex_albedo(scene.mesh, parts, faces),
             form,
@@ -112,6 +119,8 @@ def prepare_scene(
     vertices = build_vertex_table(scene.mesh, skin, ambient, faces, skin_faces)
     return PreparedScene(
         scene,
+        lights,
+        environment,
         parts,
         vertices,
         shadow_maps,
@@ -119,3 +128,18 @@ def prepare_scene(
         radiance_sh,
         preconvolved,
     )
+
+
+def _lights_and_environment(scene: Scene) -> tuple[tuple[Light, ...], Environment | None]:
+    """Return the lights that are drawn, and the environment that lights the body beside them.
+
+    The sun stays in an environment that does not extract it, and where the scene already has as many lights
+    as the limit ``lights`` allows.
+    """
+    environment = scene.environment
+    if environment is None or not environment.extract_sun:
+        return scene.lights, environment
+    if len(scene.lights) >= limits().lights:
+        return scene.lights, environment
+    sun, sky = split_sun(environment)
+    return scene.lights if sun is None else (*scene.lights, sun), sky
