@@ -153,6 +153,9 @@ DIFFUSED_NORMALS = Tolerance(
 COARSE_NORMALS = Tolerance(
     2e-3, "length of the error of computed normals on a sphere of 162 vertices"
 )
+CONVEX = Tolerance(
+    0.02, "rays from rounded vertices of a sphere, which meet no face but neighbours; relative"
+)
 CURVATURE_OF_ROUNDED = Tolerance(1e-4, "curvature from positions rounded to float32; relative")
 FLOAT32_FILE = Tolerance(1e-6, "positions of magnitude 1 stored as float32 or 8 digits of text")
 SCAN_SIZE_MM = Tolerance(1.0, "the size of the scan is known to the millimetre")

@@ -10,9 +10,10 @@ import numpy as np
 from .._core.arrays import FloatArray, as_positions
 from .._core.errors import MeshError
 from .._core.progress import Progress, silent
-from ..mesh import Mesh, mesh_thickness, mesh_uv_scale
+from ..mesh import Mesh, mesh_ambient_transfer, mesh_thickness, mesh_uv_scale
 from ..mesh.shape_operator import ShapeOperator
 from ..mesh.tensors import tensor_to_world
+from ..profile import Profile
 from .settings import BakeSettings
 
 __all__ = ["Analysis", "BakedMesh", "analyse"]
@@ -29,7 +30,8 @@ class Analysis:
     ----------
     attributes
         By name: ``curvature`` (V, 1) 1/mm, and on request ``tensor`` (V, 6) 1/mm in the mesh's own
-        axes and ``thickness`` (V, 1) mm.
+        axes, ``thickness`` (V, 1) mm, and ``ambient_transfer`` (V, 27): R G B of nine harmonics in the
+        mesh's own axes.
     uv_scale_mm
         Length of one unit of UV on the surface, mm; None without usable UVs.
     notes
@@ -101,6 +103,18 @@ def analyse(mesh: Mesh, settings: BakeSettings, name: str, progress: Progress = 
             points, faces, normals, rays=settings.rays, tracing=settings.tracing, progress=progress
         )
         attributes["thickness"] = thickness[:, None]
+    if settings.ambient_transfer:
+        profile = Profile.preset(settings.profile)
+        transfer = mesh_ambient_transfer(
+            points,
+            faces,
+            normals,
+            albedo=profile.albedo,
+            profile=profile,
+            tracing=settings.tracing,
+            progress=progress,
+        )
+        attributes["ambient_transfer"] = transfer.total.swapaxes(1, 2).reshape(len(points), -1)
     for key, values in attributes.items():
         largest = float(np.abs(values).max())
         if not largest <= LARGEST_FLOAT:  # NaN raises too

@@ -34,7 +34,7 @@ from .settings import BakeSettings
 
 __all__ = ["GltfBake", "bake_gltf", "bake_note"]
 
-UNITS = {"curvature": "1/mm", "tensor": "1/mm", "thickness": "mm"}
+UNITS = {"curvature": "1/mm", "tensor": "1/mm", "thickness": "mm", "ambient_transfer": "1"}
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from .._core.arrays import FloatArray
 from .._core.errors import FileError
 from .._core.files import atomic_write, existing_file
 from .._core.json import parse_json
+from ..mesh.baked import GLTF_NAMES
 from .analysis import BakedMesh
 from .names import is_local_name
 
@@ -231,7 +232,7 @@ def _is_warning(value: Any) -> bool:
 
 
 def _is_attribute(value: Any) -> bool:
-    return value in ("curvature", "tensor", "thickness")
+    return value in GLTF_NAMES
 
 
 def _is_hash(value: Any) -> bool:

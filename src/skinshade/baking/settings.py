@@ -43,6 +43,9 @@ class BakeSettings:
         Up axis of OBJ, PLY and STL files: ``y``, or ``z``, which is turned to y in the output.
     tensor, thickness
         Also bake the shape operator and the thickness; the mean curvature is always baked.
+    ambient_transfer
+        Also bake the ambient transfer of order 2, diffused by the profile; light that bounces has the
+        profile's albedo.
     profile
         Name of the preset that is written to the file; curvature does not depend on it.
     smoothing
@@ -62,6 +65,7 @@ class BakeSettings:
     up: UpAxis = UpAxis.Y
     tensor: bool = False
     thickness: bool = False
+    ambient_transfer: bool = False
     profile: str = "skin-deon2007"
     smoothing: int = 2
     rays: int = 64

@@ -50,6 +50,13 @@ class AnalysisOptions:
     thickness: Annotated[bool, typer.Option("--thickness", help="Also bake the thickness, mm.")] = (
         False
     )
+    ambient_transfer: Annotated[
+        bool,
+        typer.Option(
+            "--ambient-transfer",
+            help="Also bake occlusion, bounces and diffusion of the sky's light, as nine harmonics.",
+        ),
+    ] = False
     profile: Annotated[
         str, typer.Option(help="Diffusion profile; its name is written to the file.")
     ] = "skin-deon2007"
@@ -81,6 +88,7 @@ class AnalysisOptions:
             up=self.up,
             tensor=self.tensor,
             thickness=self.thickness,
+            ambient_transfer=self.ambient_transfer,
             profile=self.profile,
             smoothing=self.smoothing,
             rays=self.rays,

@@ -27,14 +27,22 @@ GLTF_NAMES = {
     "curvature": (("_CURVATURE", slice(0, 1)),),
     "tensor": (("_CURVATURE_TENSOR_0", slice(0, 3)), ("_CURVATURE_TENSOR_1", slice(3, 6))),
     "thickness": (("_THICKNESS", slice(0, 1)),),
+    "ambient_transfer": tuple(
+        (f"_AMBIENT_TRANSFER_{number}", slice(3 * number, 3 * number + 3)) for number in range(9)
+    ),
 }
 """Attributes of a primitive that store each baked quantity, with the columns that each stores."""
 COLUMNS = {
     "curvature": ("curvature",),
     "tensor": ("tensor_xx", "tensor_xy", "tensor_xz", "tensor_yy", "tensor_yz", "tensor_zz"),
     "thickness": ("thickness",),
+    "ambient_transfer": tuple(
+        f"ambient_transfer_{number}_{channel}" for number in range(9) for channel in "rgb"
+    ),
 }
 """Vertex properties of PLY and primvars of USD, by the name of the attribute."""
+LOADED = ("curvature", "tensor", "thickness")
+"""Quantities that `load_mesh` reads. Ambient transfer is for engines; this package computes it."""
 UNIT_COMMENT = "unit_mm"
 """First word of the comment of PLY and OBJ files that states the length of their unit, mm."""
 
@@ -71,7 +79,8 @@ def baked_attributes(
         (4, 4) from the mesh's axes to the scene's.
     """
     quantities = {}
-    for key, parts in GLTF_NAMES.items():
+    for key in LOADED:
+        parts = GLTF_NAMES[key]
         columns = [
             _columns(attributes.get(name), numbers.stop - numbers.start) for name, numbers in parts
         ]

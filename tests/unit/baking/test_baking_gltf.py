@@ -11,12 +11,21 @@ import trimesh
 import gltf_shapes
 from gltf_validator import assert_valid
 from skinshade.baking import BakeSettings, bake
-from tolerances import CURVATURE_OF_ROUNDED, FLOAT32_FILE, QUANTISED_NORMALS
+from tolerances import CONVEX, CURVATURE_OF_ROUNDED, FLOAT32_FILE, QUANTISED_NORMALS
 
 EVERY_SHAPE = pytest.mark.parametrize("name", gltf_shapes.SHAPES)
 EVERY_FORM = pytest.mark.parametrize("form", gltf_shapes.FORMS)
-EVERYTHING = BakeSettings(tensor=True, thickness=True, rays=4, tracing="builtin")
-WIDTHS = {"_CURVATURE": 1, "_CURVATURE_TENSOR_0": 3, "_CURVATURE_TENSOR_1": 3, "_THICKNESS": 1}
+EVERYTHING = BakeSettings(
+    tensor=True, thickness=True, ambient_transfer=True, rays=4, tracing="builtin"
+)
+TRANSFER = [f"_AMBIENT_TRANSFER_{number}" for number in range(9)]
+WIDTHS = {
+    "_CURVATURE": 1,
+    "_CURVATURE_TENSOR_0": 3,
+    "_CURVATURE_TENSOR_1": 3,
+    "_THICKNESS": 1,
+    **dict.fromkeys(TRANSFER, 3),
+}
 TRIANGLE_MODES = (4, 5, 6)
 
 
@@ -99,7 +108,8 @@ def analysed_columns(baked):
     for mesh in baked.meshes:
         attributes = mesh.analysis.attributes
         tensor = attributes["tensor"]
-        values = attributes["curvature"], tensor[:, :3], tensor[:, 3:], attributes["thickness"]
+        values = [attributes["curvature"], tensor[:, :3], tensor[:, 3:], attributes["thickness"]]
+        values += np.split(attributes["ambient_transfer"], 9, axis=1)
         yield dict(zip(WIDTHS, values, strict=True))
 
 
@@ -155,7 +165,18 @@ def test_the_extras_state_unit_scale_and_profile(bakes, name):
         assert note["unit_mm"] == result.mesh.unit_mm
         assert note["profile"] == "skin-deon2007"
         assert note["uv_scale_mm"] == result.analysis.uv_scale_mm
-        assert note["attributes"] == dict(zip(WIDTHS, ["1/mm", "1/mm", "1/mm", "mm"], strict=True))
+        assert note["attributes"] == dict(
+            zip(WIDTHS, ["1/mm", "1/mm", "1/mm", "mm", *["1"] * 9], strict=True)
+        )
+
+
+@EVERY_SHAPE
+def test_all_of_an_even_sky_reaches_every_channel_of_a_sphere(bakes, name):
+    _, baked = bakes[name]
+    for mesh in baked.meshes:
+        transfer = mesh.analysis.attributes["ambient_transfer"]
+        even = transfer[:, :3] * np.sqrt(4.0 * np.pi)
+        np.testing.assert_allclose(even, 1.0, rtol=CONVEX.value)
 
 
 def test_only_requested_attributes_are_added(tmp_path):
@@ -168,7 +189,7 @@ def test_only_requested_attributes_are_added(tmp_path):
 
 def test_the_trace_of_the_tensor_is_twice_the_mean_curvature(tmp_path):
     source = gltf_shapes.write(gltf_shapes.plain(), tmp_path)
-    settings = BakeSettings(tensor=True, thickness=True, rays=1, smoothing=0)
+    settings = BakeSettings(tensor=True, thickness=True, ambient_transfer=True, rays=1, smoothing=0)
     (columns,) = read_by_pygltflib(bake(source, tmp_path / "out.glb", settings).written[-1])
     trace = columns["_CURVATURE_TENSOR_0"][:, 0] + columns["_CURVATURE_TENSOR_1"][:, [0, 2]].sum(1)
     np.testing.assert_allclose(
