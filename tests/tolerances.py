@@ -198,3 +198,16 @@ SUN_FLUX = Tolerance(1e-3, "irradiance of a drawn sun; float32 texels give 1e-6;
 SUN_DIRECTION_DEG = Tolerance(0.1, "degrees; the drawn disc has samples of a ninth of a texel")
 SUN_CONSERVATION = Tolerance(1e-6, "sums of float32 texels in float64; relative")
 SUN_SHARE = Tolerance(0.005, "shares are stated in whole per cent")
+
+# -- pictures against path tracing -----------------------------------------------------------------
+
+FLIP_OF_SHADING = {
+    "lambert": Tolerance(0.0295, "FLIP; .0286 measured"),
+    "classic": Tolerance(0.0340, "FLIP; .0329 measured"),
+    "transfer": Tolerance(0.0280, "FLIP; .0271 measured"),
+}
+FLIP_FLOOR = Tolerance(0.0100, "FLIP of 128 samples beside 512; .0095 measured")
+PIXEL_FILTER = Tolerance(
+    8e-5, "mean |Δ| of coverage, 4 × 4 samples a pixel; 4.7e-5 measured, 2.0e-4 with a box"
+)
+PASS_SUM = Tolerance(1e-6, "float32 sums of eight terms of magnitude 1")

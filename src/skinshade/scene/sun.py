@@ -29,8 +29,8 @@ RADIUS_TEXELS = 1.5
 LARGEST_RADIUS_DEG = 5.0
 """Greatest radius of the disc. Coarser images (fewer than 54 rows) do not tell a sun from a wide light."""
 LEAST_SHARE = 0.01
-"""Least share of the sun in the light of the sphere, by luminance. The shadow of a lesser sun is fainter than
-a step of 8 bits in most of a picture, and costs the 45 MB of a shadow map."""
+"""Least share of the sun in the light of the sphere, by luminance. A lesser sun adds 4 % or less to the light
+of an even sky on a surface that faces it, which is not worth the time and the 45 MB of a shadow map."""
 MOST_BESIDE = 0.5
 """Greatest flux of the ring relative to that of the disc. The ring has three times the solid angle of the
 disc. Relative to the disc, it has none of the light of a sun, and 3 times the light of the middle or the edge

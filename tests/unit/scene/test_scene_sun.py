@@ -82,7 +82,7 @@ def test_a_sun_has_its_irradiance_and_its_direction_everywhere_on_the_sphere(
     assert np.abs(sky.radiance - SKY).max() <= tol.FLOAT32.value
 
 
-@pytest.mark.parametrize("shape", [(54, 108), (64, 128), (100, 300), (128, 256), (2048, 4096)])
+@pytest.mark.parametrize("shape", [(54, 108), (64, 128), (100, 300), (128, 256), (1024, 2048)])
 def test_a_sun_is_the_same_at_every_resolution_that_resolves_it(shape):
     to_sun = direction(-60.0, 40.0)
     sun, sky = split_sun(sunny(*shape, to_sun))
@@ -117,9 +117,9 @@ def test_a_sky_without_a_concentrated_light_has_no_sun(name):
 
 @pytest.mark.parametrize("row", [0, 20, 32])
 def test_a_bright_pixel_of_a_coarse_sky_is_no_sun(row):
-    """It has 7 times the radiance of the sky, which is .4 % of the light or less."""
+    """It has 40 times the radiance of the sky, which is .8 % of the light or less."""
     image = np.full((64, 128, 3), 1.0)
-    image[row, 40] = 7.0
+    image[row, 40] = 40.0
     assert split_sun(Environment(image))[0] is None
 
 
