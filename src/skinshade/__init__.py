@@ -6,6 +6,7 @@ Public names are imported on first use, which keeps ``import skinshade`` below 0
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from ._core.lazy import names_on_demand
 from ._core.version import __version__
 
 if TYPE_CHECKING:
@@ -135,17 +136,11 @@ _MODULES = {
     ".shading.tables": ("build_curvature_lut",),
 }
 """Public names by the modules that define them."""
-_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names}
+_named = names_on_demand(__name__, _MODULES)
 
 
 def __getattr__(name: str) -> Any:
-    if name not in __all__:
-        raise AttributeError(f"module 'skinshade' has no attribute {name!r}")
-    if name == "gpu":
-        return import_module(".gpu", __name__)
-    value = getattr(import_module(_MODULE_OF[name], __name__), name)
-    globals()[name] = value
-    return value
+    return import_module(".gpu", __name__) if name == "gpu" else _named(name)
 
 
 def __dir__() -> list[str]:

@@ -73,16 +73,25 @@ def _printable_errors() -> Iterator[None]:
         raise
 
 
-def command_line(*imported: str) -> typer.Typer:
+def command_line(*imported: str, with_help: bool = True) -> typer.Typer:
     """Return the program. Commands that are not `imported` have a help text only.
 
     The modules of commands import NumPy and SciPy. The list of commands appears without these imports.
+
+    Parameters
+    ----------
+    imported
+        Names of commands.
+    with_help
+        Whether the program has the option ``--help`` in front of a command. Where it is not given, Typer
+        reads its value with pydantic, which takes .1 s.
     """
     app = typer.Typer(
         name="skinshade",
         cls=Program,
         help="Film-like skin for any renderer.",
         no_args_is_help=True,
+        add_help_option=with_help,
         add_completion=False,
         pretty_exceptions_enable=False,
     )
@@ -107,7 +116,7 @@ def run() -> None:
     warnings.showwarning = _show_warning  # type: ignore[assignment]  # accepts any further arguments
     requested = next((word for word in sys.argv[1:] if not word.startswith("-")), "")
     try:
-        program = command_line(requested)
+        program = command_line(requested, with_help=sys.argv[1:2] != [requested])
         raise_at_next()
         program()
     except SkinshadeError as error:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..params.choices import Antialiasing, Shading, ShadowFilter, Tier, View
-from ..rendering.settings import RenderSettings
+
+if TYPE_CHECKING:
+    from ..rendering.settings import RenderSettings
 
 __all__ = ["ShadingOptions"]
 
@@ -59,6 +61,9 @@ class ShadingOptions:
         ArgumentError
             If a value is out of range.
         """
+        # Imported here because the help of the program does without NumPy.
+        from ..rendering.settings import RenderSettings
+
         return RenderSettings(
             shading=Shading.LAMBERT if self.no_sss else self.shading,
             tier=self.tier,

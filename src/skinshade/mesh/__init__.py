@@ -1,13 +1,18 @@
 """Meshes and their analysis: curvature, thickness, UV scale, tangent frames, diffusion over the surface."""
 
-from .ambient_transfer import AmbientTransfer, mesh_ambient_transfer
-from .attributes import vertex_attributes
-from .curvature import mesh_curvature, mesh_curvature_tensor
-from .diffusion import diffuse_on_mesh, mesh_diffused_normals
-from .model import Mesh
-from .readers import load_mesh
-from .thickness import mesh_thickness
-from .uv_scale import mesh_uv_scale
+from typing import TYPE_CHECKING
+
+from .._core.lazy import names_on_demand
+
+if TYPE_CHECKING:
+    from .ambient_transfer import AmbientTransfer, mesh_ambient_transfer
+    from .attributes import vertex_attributes
+    from .curvature import mesh_curvature, mesh_curvature_tensor
+    from .diffusion import diffuse_on_mesh, mesh_diffused_normals
+    from .model import Mesh
+    from .readers import load_mesh
+    from .thickness import mesh_thickness
+    from .uv_scale import mesh_uv_scale
 
 __all__ = [
     "AmbientTransfer",
@@ -22,3 +27,23 @@ __all__ = [
     "mesh_uv_scale",
     "vertex_attributes",
 ]
+
+__getattr__ = names_on_demand(
+    __name__,
+    {
+        ".ambient_transfer": ("AmbientTransfer", "mesh_ambient_transfer"),
+        ".attributes": ("vertex_attributes",),
+        ".curvature": (
+            "mesh_curvature",
+            "mesh_curvature_tensor",
+        ),
+        ".diffusion": (
+            "diffuse_on_mesh",
+            "mesh_diffused_normals",
+        ),
+        ".model": ("Mesh",),
+        ".readers": ("load_mesh",),
+        ".thickness": ("mesh_thickness",),
+        ".uv_scale": ("mesh_uv_scale",),
+    },
+)

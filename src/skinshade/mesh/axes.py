@@ -8,22 +8,15 @@ from pathlib import Path
 import numpy as np
 
 from .._core.arrays import FloatArray
-from .._core.choice import Choice
 from .._core.errors import ArgumentError
 from ..gltf import GLTF_SUFFIXES, TriangleSet
 from .baked import turned_tensors
+from .up_axis import UpAxis
 
 __all__ = ["UpAxis", "checked_up", "turned_to_y_up"]
 
 Z_UP_TO_Y_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """Quarter turn around x: (x, y, z) becomes (x, z, −y)."""
-
-
-class UpAxis(Choice):
-    """Axis of a file that points up; meshes have y up, as glTF has."""
-
-    Y = "y"
-    Z = "z"
 
 
 def checked_up(up: str, file: Path) -> UpAxis:

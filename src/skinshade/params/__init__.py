@@ -1,15 +1,26 @@
 """Constant blocks and enumerations that Python and shaders share: fields with unit, range and source."""
 
-from .frame import FrameParams, LightParams
-from .scatter import ScatterParams
-from .skin import SkinParams
+from typing import TYPE_CHECKING
+
+from .._core.lazy import names_on_demand
+
+if TYPE_CHECKING:
+    from .blocks import BLOCKS
+    from .frame import FrameParams, LightParams
+    from .scatter import ScatterParams
+    from .skin import SkinParams
 
 __all__ = ["BLOCKS", "FrameParams", "LightParams", "ScatterParams", "SkinParams"]
 
-BLOCKS: dict[str, type] = {
-    "SkinBlock": SkinParams,
-    "ScatterBlock": ScatterParams,
-    "FrameBlock": FrameParams,
-    "LightBlock": LightParams,
-}
-"""Constant blocks, by name in shaders. The first two belong to the shader library."""
+__getattr__ = names_on_demand(
+    __name__,
+    {
+        ".blocks": ("BLOCKS",),
+        ".frame": (
+            "FrameParams",
+            "LightParams",
+        ),
+        ".scatter": ("ScatterParams",),
+        ".skin": ("SkinParams",),
+    },
+)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import Field, dataclass, field, fields
 from typing import Any
 
-import numpy as np
-
 from .._core.errors import ArgumentError
 
 __all__ = ["Meaning", "checked_fields", "meaning", "number"]
@@ -64,6 +62,8 @@ def checked_fields(instance: Any) -> None:
     ArgumentError
         If a field lies outside; the message gives the field, its value, its range and its unit.
     """
+    import numpy as np  # costs .2 s, and the help of the program only reads the ranges
+
     for parameter in fields(instance):
         m, value = meaning(parameter), getattr(instance, parameter.name)
         array = np.asarray(value, dtype=np.float64)

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from dataclasses import InitVar, dataclass
 
-from .._core.arrays import as_floats
 from .fields import checked_fields, number
-from .gloss import gloss_from_roughness
-from .packing import pack
 
 __all__ = ["SkinParams"]
 
@@ -108,10 +105,16 @@ class SkinParams:
 
     def __post_init__(self, roughness: float | None) -> None:
         if roughness is not None:
+            # Imported here because the help of the program reads the fields without NumPy.
+            from .._core.arrays import as_floats
+            from .gloss import gloss_from_roughness
+
             value = as_floats("roughness", roughness, (), low=0.0, high=1.0)
             object.__setattr__(self, "gloss", float(gloss_from_roughness(value)))
         checked_fields(self)
 
     def pack(self) -> bytes:
         """Return the bytes of ``SkinBlock`` in the layout of ``shading/generated/layout.json``."""
+        from .packing import pack
+
         return pack("SkinBlock", self)

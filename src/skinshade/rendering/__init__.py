@@ -4,10 +4,15 @@
 evaluates the specification in NumPy; ``gpu`` runs the shader library.
 """
 
-from .api import open_renderer, render
-from .backend import Renderer
-from .images import RenderedImage, save_image
-from .settings import Backend, RenderSettings
+from typing import TYPE_CHECKING
+
+from .._core.lazy import names_on_demand
+
+if TYPE_CHECKING:
+    from .api import open_renderer, render
+    from .backend import Renderer
+    from .images import RenderedImage, save_image
+    from .settings import Backend, RenderSettings
 
 __all__ = [
     "Backend",
@@ -18,3 +23,22 @@ __all__ = [
     "render",
     "save_image",
 ]
+
+__getattr__ = names_on_demand(
+    __name__,
+    {
+        ".api": (
+            "open_renderer",
+            "render",
+        ),
+        ".backend": ("Renderer",),
+        ".images": (
+            "RenderedImage",
+            "save_image",
+        ),
+        ".settings": (
+            "Backend",
+            "RenderSettings",
+        ),
+    },
+)

@@ -9,6 +9,7 @@ from .._core.errors import ArgumentError
 from .._core.limits import limit_range, limits
 from ..params.choices import Antialiasing, Shading, ShadowFilter, Tier, View
 from ..shading.deep_scatter import THICKNESS_TAPS
+from .choices import Backend
 
 __all__ = [
     "CURVATURE_RANGE_PER_MM",
@@ -31,14 +32,6 @@ CURVATURE_RANGE_PER_MM = 0.2
 """Curvature at the ends of the colour range of `View.CURVATURE`, 1/mm."""
 THICKNESS_RANGE_MM = 30.0
 """Thickness that `View.THICKNESS` shows as white, mm."""
-
-
-class Backend(Choice):
-    """Device that draws pictures; ``auto`` is a hardware GPU if there is one, else the CPU."""
-
-    AUTO = "auto"
-    GPU = "gpu"
-    CPU = "cpu"
 
 
 @dataclass(frozen=True)

@@ -152,7 +152,7 @@ ERRORS = [
 
 @pytest.mark.parametrize(("error", "code", "message"), ERRORS, ids=lambda value: str(value)[:20])
 def test_an_error_is_one_line_with_its_exit_code(monkeypatch, capsys, error, code, message):
-    def program(*_):
+    def program(*_, **__):
         raise error
 
     with pytest.raises(SystemExit) as caught:
@@ -183,7 +183,7 @@ def test_a_warning_about_units_is_one_line_and_others_are_not_shown(capsys):
 def test_only_the_requested_command_is_imported(monkeypatch, words, name):
     requested = []
 
-    def program(*names):
+    def program(*names, **_):
         requested.extend(names)
         return lambda: None
 

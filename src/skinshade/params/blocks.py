@@ -1,0 +1,17 @@
+"""Constant blocks by name."""
+
+from __future__ import annotations
+
+from .frame import FrameParams, LightParams
+from .scatter import ScatterParams
+from .skin import SkinParams
+
+__all__ = ["BLOCKS"]
+
+BLOCKS: dict[str, type] = {
+    "SkinBlock": SkinParams,
+    "ScatterBlock": ScatterParams,
+    "FrameBlock": FrameParams,
+    "LightBlock": LightParams,
+}
+"""Constant blocks, by name in shaders. The first two belong to the shader library."""
