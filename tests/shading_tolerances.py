@@ -282,3 +282,7 @@ BAKED_ATTRIBUTES = Tolerance(
 BAKED_PICTURE = Tolerance(
     1e-3, "display values; curvature in single precision; a quarter of a level of 255"
 )
+LEAST_SQUARES = Tolerance(
+    1e-6,
+    "residual against that of SciPy's nnls; columns that are parallel within 1e-6 count as one",
+)

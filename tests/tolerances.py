@@ -211,3 +211,4 @@ PIXEL_FILTER = Tolerance(
     8e-5, "mean |Δ| of coverage, 4 × 4 samples a pixel; 4.7e-5 measured, 2.0e-4 with a box"
 )
 PASS_SUM = Tolerance(1e-6, "float32 sums of eight terms of magnitude 1")
+NORMAL_CDF = Tolerance(4e-16, "Taylor polynomials between nodes of math.erfc, and four roundings")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._core.arrays import FloatArray, as_floats
+from .._core.normal_cdf import normal_cdf
 from .._core.version import __version__
 from ..profile import Profile
 from .table import Axis, Lut, checked_range, checked_size
@@ -42,8 +43,6 @@ def diffused_smoothstep(p: FloatArray, s: FloatArray) -> FloatArray:
 
 def _kink(p: FloatArray, s: FloatArray, side: float) -> FloatArray:
     """Return the share of one kink at distances `p` from it; `side` is −1 for the lower, 1 for the upper."""
-    from scipy.special import ndtr  # costs .1 s, and only building a table needs it
-
     # Beyond FAR widths Φ is 0 or 1 and φ is 0: the polynomial remains, or 0.
     z = p / s
     p2, s2 = p * p, s * s
@@ -53,7 +52,7 @@ def _kink(p: FloatArray, s: FloatArray, side: float) -> FloatArray:
     p2, s2 = p2[near], s2[near]
     area = 3.0 * (p2 + s2) + side * 2.0 * p * (p2 + 3.0 * s2)
     density = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi)
-    result[near] = area * ndtr(z) + s * density * (3.0 * p + side * 2.0 * (p2 + 2.0 * s2))
+    result[near] = area * normal_cdf(z) + s * density * (3.0 * p + side * 2.0 * (p2 + 2.0 * s2))
     return result
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from .._core.arrays import FloatArray, dot
+from .._core.normal_cdf import normal_cdf
 from ..lut import Lut
 
 __all__ = [
@@ -204,12 +205,10 @@ def relief_bump(m: FloatArray, s: FloatArray) -> FloatArray:
     >>> relief_bump(np.array([-0.5, 0.0, 0.5]), np.array(0.25)).round(4)
     array([0.0021, 0.0997, 0.0021])
     """
-    from scipy.special import ndtr  # costs .1 s, which commands without a picture need not pay
-
     width = np.maximum(s, 1e-9)
     z = np.minimum(np.abs(m) / width, 30.0)
     density = np.exp(-0.5 * z * z) / np.sqrt(2.0 * np.pi)
-    result: FloatArray = width * (density - z * ndtr(-z))
+    result: FloatArray = width * (density - z * normal_cdf(-z))
     return result
 
 

@@ -5,9 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
+from scipy.optimize import nnls
 
 import shading_tolerances as tol
 from skinshade.profile import Profile, presets
+from skinshade.shading import normals
 from skinshade.shading.normals import (
     BUMP_PERIODS_MM,
     add_mesh_diffusion,
@@ -181,3 +183,26 @@ def test_the_texels_of_a_blur_level_are_two_sigma_wide(sigma, scale, octave, har
 def test_a_blur_narrower_than_a_texel_keeps_the_hardware_level():
     assert blur_level(1e-6, 100.0, 1024, np.array(0.0)) == 0.0
     assert blur_level(0.0, 100.0, 1024, np.array(3.5)) == 3.5
+
+
+@given(
+    hnp.arrays(np.float64, (12, 2), elements=st.floats(-1.0, 1.0)),
+    hnp.arrays(np.float64, (12, 3), elements=st.floats(-1.0, 1.0)),
+)
+def test_two_factors_that_are_not_negative_fit_as_well_as_those_of_scipy(basis, target):
+    factors = normals._nonnegative_pair(basis, target)
+    assert (factors >= 0.0).all()
+    for channel in range(3):
+        residual = np.linalg.norm(basis @ factors[:, channel] - target[:, channel])
+        assert residual <= nnls(basis, target[:, channel])[1] + tol.LEAST_SQUARES.value
+
+
+@pytest.mark.parametrize("basis", [np.zeros((4, 2)), np.ones((4, 2)), np.eye(4)[:, :2]])
+def test_columns_that_are_zero_parallel_or_orthogonal_are_fitted(basis):
+    target = np.array([[1.0, -1.0], [2.0, 1.0], [3.0, 0.0], [4.0, 0.0]])
+    factors = normals._nonnegative_pair(basis, target)
+    for channel in range(2):
+        expected = nnls(basis, target[:, channel])[1]
+        assert np.isclose(
+            np.linalg.norm(basis @ factors[:, channel] - target[:, channel]), expected
+        )

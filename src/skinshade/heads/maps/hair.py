@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d
 
+from .blur import gaussian_blur
 from .texels import Float32, Int32, TexelFrame
 
 __all__ = ["eyebrows", "lashes"]
@@ -237,7 +237,7 @@ def lashes(
         offset_mm = line_mm - points_mm[nearest]
         offset = np.einsum("nij,nj->ni", frame.to_texels[owner[row, column]], offset_mm)
         line_path = np.column_stack([column + offset[:, 0], row - offset[:, 1]])
-        line_path = gaussian_filter1d(line_path, 3.0, axis=0, mode="nearest")[:, None]
+        line_path = gaussian_blur(line_path, 3.0, 0, "edge")[:, None]
         draw(
             canvas,
             line_path,

@@ -7,7 +7,6 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates, maximum_filter, minimum_filter
 
 from ..._core.arrays import FloatArray, dot
 from ...params.choices import ShadowFilter
@@ -20,6 +19,7 @@ from ...shading.shadow import (
     variance_shadow,
 )
 from . import compiled_fetches as compiled
+from .extremes import extreme_within
 from .light_view import MAP_SIZE
 from .shadow_map import FILTER_TAPS, ShadowMap, blurred_moments
 
@@ -85,14 +85,13 @@ class PercentageCloserFilter(WideFilter):
         """Return the filter of a width in mm for the map of a light."""
         radius = 0.5 * width_mm / shadow_map.view.least_texel_mm
         reach = int(min(np.ceil(radius) + 1.0, MAP_SIZE))
-        size = 2 * reach + 1
         return cls(
             shadow_map,
             width_mm,
             reach,
             shadow_map.occluder_mm.astype(np.float32),
-            minimum_filter(shadow_map.occluder_mm, size=size, mode="nearest"),
-            maximum_filter(shadow_map.occluder_mm, size=size, mode="nearest"),
+            extreme_within(shadow_map.occluder_mm, reach, np.minimum),
+            extreme_within(shadow_map.occluder_mm, reach, np.maximum),
         )
 
     def lit(
@@ -160,6 +159,8 @@ class VarianceFilter(WideFilter):
         curvature_per_mm: FloatArray,
     ) -> FloatArray:
         """Return the filter's value (N,)."""
+        from scipy.ndimage import map_coordinates  # costs .4 s
+
         view = self.shadow_map.view
         receiver = shadow_receiver(position_mm, normal, to_light, curvature_per_mm)
         coordinates = view.coordinates(receiver)

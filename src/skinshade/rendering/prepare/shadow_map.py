@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
 
 from ..._core.arrays import FloatArray
 from ...mesh import Mesh
@@ -73,6 +72,8 @@ def blurred_moments(shadow_map: ShadowMap, width_mm: float) -> tuple[FloatArray,
     width_mm
         Width of the wide filter, mm.
     """
+    from scipy.ndimage import gaussian_filter1d  # costs .4 s, and only the variance filter needs it
+
     view = shadow_map.view
     depth = np.minimum(shadow_map.nearest_mm - view.middle_depth_mm, view.radius_mm)
     sigma = view.blur_texels(width_mm)
