@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 import numpy as np
 
 from .noise import sample_smooth
 from .regions import SkinTexels, ramp, spot
 from .texels import Float32
 
-__all__ = ["HAIR", "skin_colours"]
+__all__ = ["HAIR", "Mole", "scattered_moles", "skin_colours"]
+
+MOLES = 11
+"""Number of moles on the face."""
 
 HAIRLINE_MM = ((-100, -65, -38, -14, 14, 24, 48, 64, 80), (-52, -48, -28, 24, 14, 24, 50, 68, 76))
 """Depths z and heights y of points on the line at which the shaved hair begins, mm."""
@@ -23,17 +29,36 @@ YELLOW = np.array([0.01, 0.02, -0.16], dtype=np.float32)
 BLUE = np.array([-0.17, -0.14, -0.03], dtype=np.float32)
 
 
-def skin_colours(
-    s: SkinTexels, rng: np.random.Generator, noise: Float32
-) -> tuple[Float32, Float32]:
+class Mole(NamedTuple):
+    """Mole: its centre (3,) and radius in mm, and the pigment that it adds."""
+
+    centre_mm: Float32
+    radius_mm: float
+    melanin: float
+
+
+def scattered_moles(s: SkinTexels, rng: np.random.Generator) -> list[Mole]:
+    """Return moles at random texels of the face that are neither on the lips nor on the ears."""
+    plain = np.flatnonzero((np.abs(s.p[:, 0]) < 64.0) & (s.lips < 0.1) & (s.thin < 0.3))
+    return [
+        Mole(
+            s.p[plain[int(rng.integers(len(plain)))]],
+            float(rng.uniform(0.5, 1.35)),
+            float(rng.uniform(0.5, 0.95)),
+        )
+        for _ in range(MOLES)
+    ]
+
+
+def skin_colours(s: SkinTexels, moles: Sequence[Mole], noise: Float32) -> tuple[Float32, Float32]:
     """Return the albedo without hairs and the deep-scatter tint, (N, 3) each.
 
     Parameters
     ----------
     s
         Texels of the skin.
-    rng
-        Random numbers for the positions of moles.
+    moles
+        Moles from `scattered_moles`.
     noise
         Smooth volume of `skinshade.heads.maps.noise.smooth_volume`.
     """
@@ -60,15 +85,12 @@ def skin_colours(
     # Freckles are the peaks of a fine noise where a coarse noise is high.
     freckles = ramp(fine + 0.35 * finest, 2.05, 2.6) * ramp(coarse + 1.6 * s.red, 0.1, 1.5)
     melanin += 0.22 * freckles * (1.0 - s.lips)
-    plain = np.flatnonzero((np.abs(p[:, 0]) < 64.0) & (s.lips < 0.1) & (s.thin < 0.3))
     greatest = float(np.abs(finest).max(initial=0.0))
-    for _ in range(11):
-        centre = p[plain[int(rng.integers(len(plain)))]]
-        radius = float(rng.uniform(0.5, 1.35))
-        near = np.flatnonzero(np.abs(p[:, 0] - centre[0]) < 1.35 * radius + 0.15 * greatest)
-        gap = np.sqrt(np.sum((p[near] - centre) ** 2, axis=1)) + 0.15 * finest[near]
-        depth = float(rng.uniform(0.5, 0.95))
-        melanin[near] += depth * ramp(gap, radius * 1.35, radius * 0.6)
+    for mole in moles:
+        reach = 1.35 * mole.radius_mm + 0.15 * greatest
+        near = np.flatnonzero(np.abs(p[:, 0] - mole.centre_mm[0]) < reach)
+        gap = np.sqrt(np.sum((p[near] - mole.centre_mm) ** 2, axis=1)) + 0.15 * finest[near]
+        melanin[near] += mole.melanin * ramp(gap, mole.radius_mm * 1.35, mole.radius_mm * 0.6)
     yellow = 0.28 * forehead + 0.15 * scalp + 0.15 * neck + 0.30 * under_eye + 0.08 * coarse
     stubble = 0.8 + 0.14 * fine + 0.12 * finest
     blue = 0.50 * under_eye + 0.55 * beard * stubble + 0.55 * scalp * stubble

@@ -10,6 +10,7 @@ the frame is right-handed everywhere (w of glTF's tangent is +1).
 
 from __future__ import annotations
 
+import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -17,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..._core.errors import ArgumentError
-from .albedo import HAIR, skin_colours
+from .albedo import HAIR, scattered_moles, skin_colours
 from .gloss import skin_gloss
 from .hair import eyebrows, lashes
 from .noise import smooth_volume
-from .regions import skin_texels
+from .regions import SkinTexels, skin_texels
 from .relief import height_normals, relief_mm, relief_strengths, skin_cells
 from .texels import Float32, fill, map_bands, rasterise, texel_frame
 
@@ -108,11 +109,17 @@ def head_maps(
     rings = (EDGE_TEXELS + 3) // 2 + 1
     skin, wide = skin_texels(inner, rings, points, directions, weights, triangles, frame)
 
-    with ThreadPoolExecutor(1) as pool:  # gloss and relief need no random numbers
-        gloss = pool.submit(skin_gloss, skin, noise)
-        strengths = pool.submit(relief_strengths, skin, noise)
-        colour, deep = skin_colours(skin, rng, noise)
-    depths, broad = strengths.result()
+    moles = scattered_moles(skin, rng)
+
+    def layers(part: SkinTexels) -> tuple[Float32, ...]:
+        colours, strengths = skin_colours(part, moles, noise), relief_strengths(part, noise)
+        return *colours, *strengths, skin_gloss(part, noise)
+
+    with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        parts = list(pool.map(layers, skin.chunks()))
+    colour, deep, depths, broad, gloss = (
+        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
+    )
     shape = np.stack([frame.right_mm, frame.shear_mm, frame.up_mm], axis=1)[wide.face] * 0.5
     ground = np.concatenate([skin.p, depths, broad[:, None], skin.lips[:, None]], axis=1)
     covered = np.zeros((half, half), dtype=bool)
@@ -155,6 +162,6 @@ def head_maps(
     return HeadMaps(
         albedo=albedo,
         normal=normal,
-        specular=fill(gloss.result(), wide),
+        specular=fill(gloss, wide),
         deep_scatter=fill(deep, wide),
     )

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from .texels import Float32, Int32, TexelFrame, Texels, spread
 
 __all__ = ["SkinTexels", "ramp", "skin_texels", "spot"]
+
+CHUNK = 1 << 14
+"""Texels that are coloured at once."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,12 @@ class SkinTexels:
     thin: Float32
     red: Float32
     front: Float32
+
+    def chunks(self) -> list[SkinTexels]:
+        """Return the texels in groups whose arrays fit in the cache of a core."""
+        arrays = [getattr(self, field.name) for field in fields(self)]
+        starts = range(0, len(self.p), CHUNK)
+        return [SkinTexels(*(a[start : start + CHUNK] for a in arrays)) for start in starts]
 
 
 def ramp(value: Float32, low: float, high: float) -> Float32:
