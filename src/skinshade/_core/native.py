@@ -120,6 +120,7 @@ KERNELS: dict[str, str] = {
     "fetch_texture": "float* int64 int64* int64 double* double* double* int64 range double*",
     "fetch_panorama": "float* int64* int64* double* double* int64 range double*",
     "fetch_table": "float* int64 int64 double* int64 double* int64 range double*",
+    "halve_image": "float* int64 int64 int64 range float*",
     "interpolate": "double* int64 int64* int64* double* int64 range double*",
 }
 """Result and parameters of every kernel, as in kernels.h. "?" allows None; "range" is first, last."""

@@ -296,6 +296,17 @@ def test_textures_at_any_coordinates_give_values_of_their_texels(value):
     assert np.isfinite(values).all() or abs(value) > 1e17
 
 
+@pytest.mark.parametrize("channels", [1, 2, 3, 4, 7])
+@pytest.mark.parametrize("size", [(1, 1), (1, 9), (64, 1), (13, 40), (257, 300)])
+def test_levels_of_a_texture_have_the_bytes_of_numpy(channels, size):
+    source = image(3, *size, channels)
+    one, other = both(build_texture, source)
+    assert np.array_equal(one.texels, other.texels)
+    for count in (1, 2, 5):
+        with threads(count):
+            assert np.array_equal(build_texture(source).texels, other.texels)
+
+
 def test_textures_of_five_channels_are_sampled_by_numpy():
     texture = build_texture(image(0, 8, 8, 5))
     assert texture.sample(np.zeros((2, 2)), np.zeros(2)).shape == (2, 5)

@@ -202,6 +202,10 @@ SKN_EXPORT void SKN(fetch_panorama)(const float *images, const int64_t *size, co
 SKN_EXPORT void SKN(fetch_table)(const float *table, int64_t height, int64_t width, const double *u, int64_t columns,
                                  const double *v, int64_t count, int64_t first, int64_t last, double *values);
 
+/* mips.c */
+SKN_EXPORT void SKN(halve_image)(const float *image, int64_t width, int64_t height, int64_t channels, int64_t first,
+                                 int64_t last, float *result);
+
 /* interpolate.c */
 SKN_EXPORT void SKN(interpolate)(const double *values, int64_t columns, const int64_t *faces, const int64_t *face,
                                  const double *weights, int64_t count, int64_t first, int64_t last,

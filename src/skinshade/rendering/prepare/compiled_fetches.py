@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ..._core import native
 from ..._core.arrays import FloatArray, ImageArray, IntArray
 
-__all__ = ["interpolated", "lit_share", "mean_thickness", "sample_texture", "serves"]
+__all__ = ["halve_image", "interpolated", "lit_share", "mean_thickness", "sample_texture", "serves"]
 
 DepthMap = NDArray[np.float32]
 MOST_TEXELS = 1 << 31
@@ -80,6 +80,13 @@ def sample_texture(
     ranges, images = native.blocks(count), (texels, channels, sizes, len(sizes))
     native.run("fetch_texture", ranges, *images, *points, count, values)
     return values.T
+
+
+def halve_image(image: ImageArray, result: ImageArray) -> None:
+    """Write averages of 2×2 texels of an image (H, W, C) into an image of half its size."""
+    height, width, channels = image.shape
+    rows = native.blocks(len(result), max(native.GRAIN // result[0].size, 1))
+    native.run("halve_image", rows, image, width, height, channels, result)
 
 
 def interpolated(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -85,16 +86,22 @@ class Texture:
 
 def build_texture(image: ImageArray) -> Texture:
     """Build the levels of an image (H, W, C) by averaging blocks of 2×2, down to one texel."""
-    levels = [np.ascontiguousarray(image, dtype=np.float32)]
-    while max(levels[-1].shape[:2]) > 1:
-        levels.append(_halved(_halved(levels[-1], 0), 1))
-    counts = np.array([level.shape[0] * level.shape[1] for level in levels])
-    return Texture(
-        np.concatenate([level.reshape(-1, level.shape[2]) for level in levels]),
-        np.concatenate([[0], np.cumsum(counts)[:-1]]),
-        np.array([level.shape[1] for level in levels]),
-        np.array([level.shape[0] for level in levels]),
-    )
+    height, width, channels = image.shape
+    sizes = [(height, width)]
+    while max(sizes[-1]) > 1:
+        sizes.append((max(sizes[-1][0] // 2, 1), max(sizes[-1][1] // 2, 1)))
+    heights, widths = np.array(sizes).T
+    starts = np.concatenate([[0], np.cumsum(heights * widths)])
+    texels = np.empty((starts[-1], channels), dtype=np.float32)
+    texture = Texture(texels, starts[:-1], widths, heights)
+    levels = texture.images()
+    levels[0][...] = image
+    for level, smaller in pairwise(levels):
+        if compiled.serves():
+            compiled.halve_image(level, smaller)
+        else:
+            smaller[...] = _halved(_halved(level, 0), 1)
+    return texture
 
 
 def _halved(image: ImageArray, axis: int) -> ImageArray:
