@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import sys
 import tempfile
 from contextlib import suppress
 from functools import cache
+from importlib import import_module
 from threading import Thread
 
 import wgpu
@@ -28,6 +30,7 @@ from wgpu import (
 )
 
 from .._core.errors import BackendError
+from .declarations import parse_used_names
 
 __all__ = [
     "BufferUsage",
@@ -68,6 +71,8 @@ def adapters() -> list[GPUAdapter]:
     # Mesa's software driver prints a warning if this variable is not set.
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
     try:
+        import_module("wgpu.backends.auto")  # the binding; in browsers it has no interface of cffi
+        parse_used_names(getattr(sys.modules.get("wgpu.backends.wgpu_native"), "ffi", None))
         candidates = wgpu.gpu.enumerate_adapters_sync()
     except Exception:  # wgpu raises many types, depending on the loader
         return []
