@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,10 +16,7 @@ from .._core.progress import Progress, silent
 from .ray_pool import near_order
 from .rays import RayCaster, RayTracing, open_caster
 
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
-
-__all__ = ["AmbientRays", "lattice_directions"]
+__all__ = ["AmbientRays", "SeenFaces", "lattice_directions"]
 
 DIRECTIONS = 256
 """Directions over the whole sphere of a vertex; half of them lie above its surface."""
@@ -32,14 +30,61 @@ SETS = 16
 """Sets of directions that neighbouring vertices of a large mesh have in turn."""
 OUTSIDE = 2e-5
 """Distance from the surface at which rays start, as a share of the body's radius."""
-VERSION = "ambient-rays-1"
+VERSION = "ambient-rays-2"
 """Name of the computation in the cache; another algorithm needs another name."""
-STORED = {"free", "depth", "data", "indices", "indptr"}
+STORED = {"free", "depth", "starts", "faces", "weights"}
 """Names of the arrays in the cache."""
 LEAST_CACHED = 4000
 """Least vertices of a mesh whose rays are kept in the cache; fewer are cast as fast as they are read."""
 CHUNK = 1 << 19
 """Rays that are cast at once: their arrays take about 50 MiB."""
+
+
+@dataclass(frozen=True)
+class SeenFaces:
+    """Faces that the rays of every vertex hit.
+
+    Attributes
+    ----------
+    starts
+        (V + 1,) index of the first hit of every vertex; the last is the number of hits.
+    faces
+        (H,) face of every hit.
+    weights
+        (H,) weight of the ray of every hit.
+    """
+
+    starts: NDArray[np.int64]
+    faces: NDArray[np.int32]
+    weights: NDArray[np.float32]
+
+    @classmethod
+    def of(
+        cls,
+        vertices: Sequence[IntArray],
+        faces: Sequence[IntArray],
+        weights: Sequence[FloatArray],
+        count: int,
+    ) -> SeenFaces:
+        """Return the hits of `count` vertices from parts that list vertex, face and weight of hits."""
+        vertex = np.concatenate(vertices)
+        order = np.argsort(vertex, kind="stable")
+        ends = np.cumsum(np.bincount(vertex, minlength=count))
+        return cls(
+            np.concatenate([[0], ends]),
+            np.concatenate(faces)[order].astype(np.int32),
+            np.concatenate(weights)[order].astype(np.float32),
+        )
+
+    def gathered(self, values: FloatArray) -> FloatArray:
+        """Return the weighted sums (V, K) of values (F, K) of the faces."""
+        result = np.zeros((len(self.starts) - 1, values.shape[1]))
+        # reduceat would give a vertex without hits the first hit of the next one.
+        hitting = np.flatnonzero(np.diff(self.starts))
+        if hitting.size:
+            light = values[self.faces] * self.weights[:, None]
+            result[hitting] = np.add.reduceat(light, self.starts[hitting], axis=0)
+        return result
 
 
 @dataclass(frozen=True)
@@ -60,7 +105,7 @@ class AmbientRays:
     free
         (V, D) whether no face lies in a direction above the surface.
     seen
-        (V, F) sparse sums of the weights of the rays that hit the front of a face.
+        Faces whose front rays hit.
     behind
         (S, B, 3) directions in which the depth of the body is measured.
     depth
@@ -72,7 +117,7 @@ class AmbientRays:
     turn: IntArray
     directions: FloatArray
     free: NDArray[np.bool_]
-    seen: csr_array
+    seen: SeenFaces
     behind: FloatArray
     depth: NDArray[np.float32]
 
@@ -116,7 +161,7 @@ class AmbientRays:
         kept = vertices, behind.shape[1]
         if stored is not None and stored.keys() >= STORED and stored["depth"].shape == kept:
             progress("ambient light", 1.0)
-            return cls._restored(normals, turn, above, behind, stored, (vertices, len(faces)))
+            return cls._restored(normals, turn, above, behind, stored)
         offset = OUTSIDE * bounding_sphere(positions)[1]
         caster = _Caster(open_caster(positions, faces, tracing), positions, normals, offset)
         facing = _face_normals(positions, faces)
@@ -141,21 +186,20 @@ class AmbientRays:
             shares.append(weight[hit].astype(np.float32))
             caster.measure_depth(own, behind[number], depth)
         progress("ambient light", 1.0)
-        shape = vertices, len(faces)
-        rays = cls(normals, turn, above, free, _sparse(rows, columns, shares, shape), behind, depth)
+        seen = SeenFaces.of(rows, columns, shares, vertices)
+        rays = cls(normals, turn, above, free, seen, behind, depth)
         if vertices >= LEAST_CACHED:
             store_cached(name, rays._stored())
         return rays
 
-    def _stored(self) -> dict[str, NDArray[np.generic]]:
+    def _stored(self) -> dict[str, NDArray[Any]]:
         """Return the arrays that the directions and the mesh do not give."""
-        seen = self.seen
         return {
             "free": np.packbits(self.free, axis=1),
             "depth": self.depth,
-            "data": seen.data,
-            "indices": seen.indices,
-            "indptr": seen.indptr,
+            "starts": self.seen.starts,
+            "faces": self.seen.faces,
+            "weights": self.seen.weights,
         }
 
     @classmethod
@@ -166,14 +210,11 @@ class AmbientRays:
         above: FloatArray,
         behind: FloatArray,
         stored: dict[str, NDArray[Any]],
-        shape: tuple[int, int],
     ) -> AmbientRays:
         """Return rays from the arrays of `_stored`."""
-        from scipy.sparse import csr_array
-
         free = np.unpackbits(stored["free"], axis=1, count=above.shape[1]).astype(np.bool_)
-        matrix = csr_array((stored["data"], stored["indices"], stored["indptr"]), shape=shape)
-        return cls(normals, turn, above, free, matrix, behind, stored["depth"])
+        seen = SeenFaces(stored["starts"], stored["faces"], stored["weights"])
+        return cls(normals, turn, above, free, seen, behind, stored["depth"])
 
     @property
     def openness(self) -> FloatArray:
@@ -226,7 +267,7 @@ class AmbientRays:
         total, light = np.zeros_like(values), values
         for _ in range(bounces):
             radiosity = reflectance * light
-            light = self.seen @ radiosity[faces].mean(axis=1)
+            light = self.seen.gathered(radiosity[faces].mean(axis=1))
             total += light
         return total
 
@@ -298,16 +339,6 @@ def _weights(normals: FloatArray, directions: FloatArray) -> FloatArray:
     cosine = np.maximum(normals @ directions.T, 0.0)
     result: FloatArray = cosine / np.maximum(cosine.sum(axis=1, keepdims=True), 1e-12)
     return result
-
-
-def _sparse(
-    rows: list[IntArray], columns: list[IntArray], values: list[FloatArray], shape: tuple[int, int]
-) -> csr_array:
-    """Return a sparse matrix; values of equal places are added."""
-    from scipy.sparse import coo_array
-
-    row, column, value = np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
-    return coo_array((value, (row, column)), shape=shape).tocsr()
 
 
 def _face_normals(positions: FloatArray, faces: IntArray) -> FloatArray:

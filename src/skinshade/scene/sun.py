@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.ndimage import uniform_filter1d
 
 from .._core.arrays import (
     LARGEST_LIGHT,
@@ -137,10 +136,20 @@ def _brightest_direction(image: FloatArray) -> FloatVector:
     luminance = image @ LUMINANCE
     sine = np.sin((np.arange(height) + 0.5) / height * np.pi)
     for row, texels in enumerate(np.rint(np.minimum(1.0 / sine, width)).astype(int)):
-        luminance[row] = uniform_filter1d(luminance[row], texels, mode="wrap")
+        luminance[row] = _running_mean(luminance[row], texels)
     row, column = np.unravel_index(luminance.argmax(), luminance.shape)
     direction: FloatVector = grid_directions(height, width)[row, column]
     return direction
+
+
+def _running_mean(values: FloatVector, width: int) -> FloatVector:
+    """Return the means (N,) of `width` neighbours of values (N,) on a circle."""
+    around = np.concatenate(
+        [values[-(width // 2) or len(values) :], values, values[: (width - 1) // 2]]
+    )
+    sums = np.concatenate([[0.0], np.cumsum(around)])
+    means: FloatVector = (sums[width:] - sums[:-width]) / width
+    return means
 
 
 def _texels_around(image: ImageArray, centre: FloatVector, radius: float) -> _Texels:
