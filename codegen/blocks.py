@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import Field, dataclass, fields
+from dataclasses import Field, dataclass
 from typing import Any
 
 from skinshade.params import BLOCKS
-from skinshade.params.fields import meaning
+from skinshade.params.fields import meaning, number_fields
 from skinshade.params.packing import TYPE_NAMES, float_count, kind_of
 
 from .compiler import CompilerError, Language, translate
@@ -100,7 +100,7 @@ def block_layouts() -> dict[str, Any]:
                 )
     result = {}
     for block, offsets in first.items():
-        kinds = {field.name: _kind(field) for field in fields(BLOCKS[block])}
+        kinds = {field.name: _kind(field) for field in number_fields(BLOCKS[block])}
         ends = [offset + 4 * float_count(kinds[name]) for name, offset in offsets.items()]
         result[block] = {
             "size": -(-max(ends) // 16) * 16,
@@ -131,7 +131,7 @@ def _instance(block: str) -> str:
 
 
 def _ordered(block: type) -> list[Field[Any]]:
-    return sorted(fields(block), key=lambda field: -float_count(_kind(field)))
+    return sorted(number_fields(block), key=lambda field: -float_count(_kind(field)))
 
 
 def _kind(field: Field[Any]) -> str:

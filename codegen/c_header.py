@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import Field, fields
+from dataclasses import Field
 from typing import Any
 
 import numpy as np
 
 from skinshade._core.version import __version__
 from skinshade.params import BLOCKS
-from skinshade.params.fields import meaning
+from skinshade.params.fields import meaning, number_fields
 
 from .blocks import LIBRARY_BLOCKS, field_comment
 
@@ -112,7 +112,7 @@ def c_header(layouts: dict[str, Any]) -> str:
 
 def _block(block: str, layout: dict[str, Any]) -> str:
     stem = block.removesuffix("Block").lower()
-    block_fields = fields(BLOCKS[block])
+    block_fields = number_fields(BLOCKS[block])
     config, upper = f"skinshade_{stem}_config", stem.upper()
     lines = [f"#define SKINSHADE_{upper}_BLOCK_SIZE {layout['size']}", ""]
     lines += [f"typedef struct {config} {{"]

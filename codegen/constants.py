@@ -7,7 +7,17 @@ from types import ModuleType
 import numpy as np
 
 from skinshade._core.arrays import FloatArray
-from skinshade.shading import ambient, deep_scatter, direct, energy, image_light, shadow, specular
+from skinshade.lut import coat as coat_table
+from skinshade.shading import (
+    ambient,
+    deep_scatter,
+    direct,
+    energy,
+    image_light,
+    shadow,
+    specular,
+    view_factor,
+)
 
 __all__ = ["constants_source", "definition"]
 
@@ -15,10 +25,11 @@ HEADER = "// Generated from the specification by `python -m codegen`."
 
 LIBRARY: dict[ModuleType, tuple[str, ...]] = {
     ambient: ("COSINE_BANDS", "LEAST_HIDDEN"),
+    coat_table: ("GREATEST_REFLECTANCE",),
     deep_scatter: ("CLASSIC_WRAP",),
     direct: ("SMOOTH_SHORTFALL",),
     energy: ("GAIN_SLOPE",),
-    image_light: ("REFLECTION_LEVELS", "REFLECTION_ROWS"),
+    image_light: ("LEAST_VIEW_COSINE", "REFLECTION_LEVELS", "REFLECTION_ROWS"),
     shadow: (
         "ATTACHED_MM",
         "DARK_BEYOND",
@@ -30,6 +41,7 @@ LIBRARY: dict[ModuleType, tuple[str, ...]] = {
         "TERMINATOR_REACH_MM",
     ),
     specular: ("POWER_OCTAVES", "SHARPEST_POWER", "SHARP_LOBE_SHARE"),
+    view_factor: ("COSINE_NODES", "COSINE_WEIGHTS", "ROUGH_ENTRY"),
 }
 """Names of the constants by the module of the specification that defines them."""
 

@@ -35,8 +35,11 @@ void main()
         ring_lut, scatter_block.ring_axes, transfer_lut, scatter_block.transfer_axes,
         skin_blend_normals(fetched, weights), to_light, curvatures.x, curvatures.y, gain);
     vec2 albedo_size = vec2(textureSize(albedo_map, 0));
-    vec3 albedo = textureLod(albedo_map, uv, skin_map_level(albedo_size, dFdx(uv), dFdy(uv))).rgb
-        * skin_diffuse_share(dot(n, view), gloss, skin_block.reflectance);
-    float highlight = skin_specular(normalize(fetched[0]), view, to_light, gloss, skin_block.reflectance);
-    colour = vec4(light_radiance * (albedo * diffuse + highlight), 1.0);
+    vec3 albedo = textureLod(albedo_map, uv, skin_map_level(albedo_size, dFdx(uv), dFdy(uv))).rgb;
+    vec3 sharp = normalize(fetched[0]);
+    float f0 = skin_block.reflectance, n_dot_v = dot(sharp, view);
+    vec2 coat = skin_coat(coat_lut, scatter_block.coat_axes, n_dot_v, gloss, f0, scatter_block.coat_reflectance);
+    vec3 body = albedo * skin_view_factor(albedo, n_dot_v, f0) * (1.0 - coat.x);
+    float highlight = skin_coat_highlight(sharp, view, to_light, gloss, f0);
+    colour = vec4(light_radiance * (body * diffuse + highlight), 1.0);
 }

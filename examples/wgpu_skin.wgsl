@@ -6,7 +6,8 @@ struct Frame { clip : mat4x4<f32>, eye : vec4<f32>, to_light : vec4<f32>, radian
 @group(1) @binding(1) var<uniform> scatter_block : ScatterBlock; // that you use, in any group
 @group(1) @binding(2) var ring_lut : texture_2d<f32>;
 @group(1) @binding(3) var transfer_lut : texture_2d<f32>;
-@group(1) @binding(4) var lut_sampler : sampler;
+@group(1) @binding(4) var coat_lut : texture_2d<f32>;
+@group(1) @binding(5) var lut_sampler : sampler;
 
 struct Vertex {
     @location(0) position : vec3<f32>,
@@ -37,8 +38,10 @@ struct Fragment { @builtin(position) clip : vec4<f32>, @location(0) position : v
     let diffuse = skin_direct_tensor(ring_lut, lut_sampler, s.ring_axes, transfer_lut, lut_sampler,
         s.transfer_axes, mat3x3<f32>(n, n, n), light, curvatures.x, curvatures.y, gain);
     let gloss = skin_block.gloss;
-    let albedo = textureSampleLevel(albedo_map, lut_sampler, v.uv, 0.0).rgb
-        * skin_diffuse_share(dot(n, view), gloss, skin_block.reflectance);
-    let highlight = skin_specular(n, view, light, gloss, skin_block.reflectance);
-    return vec4<f32>(frame.radiance.rgb * (albedo * diffuse + highlight), 1.0);
+    let f0 = skin_block.reflectance;
+    let albedo = textureSampleLevel(albedo_map, lut_sampler, v.uv, 0.0).rgb;
+    let coat = skin_coat(coat_lut, lut_sampler, s.coat_axes, dot(n, view), gloss, f0, s.coat_reflectance);
+    let body = albedo * skin_view_factor(albedo, dot(n, view), f0) * (1.0 - coat.x);
+    let highlight = skin_coat_highlight(n, view, light, gloss, f0);
+    return vec4<f32>(frame.radiance.rgb * (body * diffuse + highlight), 1.0);
 }

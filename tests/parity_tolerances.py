@@ -74,6 +74,15 @@ PARITY = {
     "skin_specular": Parity(
         4e-5, 1e-3, "the power of up to 8192 multiplies the rounding of n_dot_h, 6e-8"
     ),
+    "skin_coat": Parity(
+        2e-4, 2e-6, "filter weights of 8 bits between columns and rows that differ by up to .06"
+    ),
+    "skin_coat_highlight": Parity(
+        4e-6, 2e-5, "exp2 of up to 13, and the square of a sum of squares that is near α²"
+    ),
+    "skin_coat_radiance": Parity(
+        4e-3, 4e-3, "the position in the map, and filter weights of 8 bits between its texels"
+    ),
     "skin_gloss_of_relief": Parity(4e-6, 0.0, "log2 near 1"),
     "skin_gloss_from_roughness": Parity(4e-6, 0.0, "log2 near 1"),
     "skin_occluded_reflection": Parity(

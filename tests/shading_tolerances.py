@@ -79,6 +79,26 @@ SLAB_FITTED = (
 # -- specular light, tone, 2014 --------------------------------------------------------------------
 
 SPECULAR_QUADRATURE = Tolerance(1e-6, "panels of 8 nodes over lobes with powers up to 2¹³")
+COAT_TABLE = Tolerance(
+    1e-3, "64×32 texels, bilinear, and 160 nodes; 9e-4 measured, at N·V = 0 and gloss .98"
+)
+COAT_UNIT_TABLE = Tolerance(
+    8e-3, "as COAT_TABLE with Fresnel 1, whose tail the nodes resolve less; .006 measured"
+)
+COAT_ANGLE = Tolerance(0.02, "radians between the mean directions of the table and the quadrature")
+COAT_OTHER_REFLECTANCE = Tolerance(
+    0.02, "E at F₀ of .02 to .04 from the table of .028; .015 measured, for a mirror at N·V = .2"
+)
+COAT_FURNACE = Tolerance(2e-3, "what the coat reflects and what the body returns are 1 together")
+COAT_SKY = Tolerance(
+    0.15, "RMS over the mean radiance of the studio: a Phong lobe for a skewed one of long tails"
+)
+VIEW_FACTOR_MEAN = Tolerance(5e-3, "two nodes, at any index of refraction; .0032 at 1 and black")
+VIEW_FACTOR_MEAN_OF_SKIN = Tolerance(2e-4, "two nodes, at an index of 1.4; 1.6e-4 for black")
+VIEW_FACTOR_WALK = Tolerance(
+    0.025, "a simulated half-space from μ = .03 on; .018 measured in blue, at .03; relative"
+)
+VIEW_FACTOR_CLOSURE = Tolerance(2e-3, "two nodes for the half that enters by the cosine")
 SHARP_LOBE = Tolerance(
     5e-3, "share of the light that lobes with powers of 550 and more lose to shadowing"
 )

@@ -13,7 +13,7 @@ import pytest
 import shading_tolerances as tol
 from gpu_device import adapter_or_skip
 from skinshade.heads import builtin_head, head_scene, load_head
-from skinshade.params.choices import Shading, Tier, View
+from skinshade.params.choices import Boundary, Shading, SpecularModel, Tier, View
 from skinshade.rendering import RenderSettings, open_renderer
 from skinshade.rendering.tone import display_values
 from skinshade.scene import DirectionalLight, Environment, SpotLight
@@ -70,6 +70,16 @@ def assert_equal_pictures(pair, samples=1, **settings):
 @pytest.mark.parametrize("shading", list(Shading))
 def test_the_head_is_the_same_picture_in_every_shading(head, shading):
     assert_equal_pictures(head, shading=shading)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("specular", "boundary"),
+    [(SpecularModel.GGX_TWO_LOBES, Boundary.BLENDER_SKIN), (SpecularModel.BLINN_PHONG, None)],
+)
+def test_the_head_is_the_same_picture_with_every_coat_and_boundary(head, specular, boundary):
+    scene, _, _ = head
+    assert_equal_pictures(both(scene.with_params(specular=specular, boundary=boundary)))
 
 
 @pytest.mark.slow

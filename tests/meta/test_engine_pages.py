@@ -266,7 +266,7 @@ def test_the_half_floats_of_the_overview_are_the_tables_in_the_sizes_that_it_sta
     for names, width, height in re.findall(r"(`[\w` and]+`) (\d+)×(\d+)", text):
         sizes |= dict.fromkeys(re.findall(r"\w+_lut", names), (int(height), int(width)))
     error = float(re.search(r"err by\s+(\S+) at most", text).group(1))
-    assert len(sizes) == 4
+    assert len(sizes) == 5
     for name, size in sizes.items():
         table = sk.Lut.load(tmp_path / "skin" / f"{name}.exr").values
         halves = np.fromfile(tmp_path / "skin" / f"{name}.f16", dtype="<f2").reshape(*size, 4)
@@ -289,7 +289,7 @@ def test_the_constants_for_unreal_are_the_blocks_and_compile_with_its_shader(
     source = "\n".join([text, *blocks(page(folder, "unreal"), "hlsl"), main])
     accepted(source, tmp_path, "-D", "-V", "-e", "main", f"-I{tmp_path / 'skin'}")
     constants = (tmp_path / "skin" / "material.ush").read_text("utf-8").splitlines()
-    for line, block, count in zip(constants, ("skin", "scatter"), (18, 50), strict=True):
+    for line, block, count in zip(constants, ("skin", "scatter"), (18, 55), strict=True):
         inside = line[line.index("{") :].replace("float4", "").replace("float2", "")
         numbers = np.array(re.findall(r"[-\d.e]+", inside), dtype="<f4").tobytes()
         assert numbers == (tmp_path / "skin" / f"{block}_block.bin").read_bytes()[: 4 * count]

@@ -200,8 +200,12 @@ def test_a_function_or_constructor_describes_every_parameter_in_order(value):
 def test_a_class_describes_every_field_in_order(name):
     fields = dataclasses.fields(named(name))
     names = described(inspect.getdoc(named(name)), "Attributes")
-    if all("meaning" in field.metadata for field in fields):
-        names += [field.name for field in fields if field.metadata["meaning"].about]
+    abouts = {
+        field.name: field.metadata.get("meaning") or field.metadata.get("choice")
+        for field in fields
+    }
+    if all(abouts.values()):
+        names += [name for name, meaning in abouts.items() if meaning.about]
     assert sorted(names) == sorted(field.name for field in fields)
 
 

@@ -8,7 +8,7 @@ from importlib import import_module
 import numpy as np
 
 from codegen.signatures import twin_module
-from skinshade.lut import build_shadow_lut
+from skinshade.lut import build_coat_lut, build_shadow_lut
 from skinshade.lut.classic import classic_curvature_lut
 from skinshade.profile import Profile
 from skinshade.scene import Environment
@@ -16,8 +16,8 @@ from skinshade.shading.normals import NormalBlend
 from skinshade.shading.tables import build_curvature_lut
 
 ONE_FOR_ALL = {
-    "bias_mm", "filter_width_mm", "map_size", "offset_mm", "radius_mm", "sharpening", "strength",
-    "uv_scale_mm",
+    "bias_mm", "coat_reflectance", "filter_width_mm", "map_size", "offset_mm", "radius_mm",
+    "sharpening", "strength", "uv_scale_mm",
 }  # fmt: skip
 """Numbers that all pixels of a batch share in the specification."""
 SHARED_VECTORS = {"light_right", "light_up"}
@@ -67,6 +67,8 @@ def depth_map(signature):
 def lut_of(signature):
     if signature.file == "shadow":
         lut = build_shadow_lut(SKIN, size=(512, 64), width_mm=(4.0, 400.0))
+    elif signature.file == "coat":
+        lut = build_coat_lut()
     elif signature.file == "classic":
         lut = classic_curvature_lut(SKIN, size=(512, 64))
     else:

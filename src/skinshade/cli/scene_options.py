@@ -11,7 +11,7 @@ import typer
 from .._core.errors import ArgumentError
 from ..mesh.up_axis import UpAxis
 from ..params import SkinParams
-from ..params.choices import ToneCurve
+from ..params.choices import SpecularModel, ToneCurve
 from ..params.fields import meaning
 
 __all__ = ["LightOptions", "MaterialOptions", "ModelOptions"]
@@ -19,7 +19,11 @@ __all__ = ["LightOptions", "MaterialOptions", "ModelOptions"]
 
 def _help_of(name: str) -> str:
     """Return the help of an option that sets a field of `SkinParams`."""
-    entry = next(meaning(parameter) for parameter in fields(SkinParams) if parameter.name == name)
+    field = next(parameter for parameter in fields(SkinParams) if parameter.name == name)
+    if "choice" in field.metadata:
+        about: str = field.metadata["choice"].about
+        return about
+    entry = meaning(field)
     unit = "" if entry.unit == "1" else f" {entry.unit}"
     return f"{entry.about} {entry.low:g}..{entry.high:g}{unit}."
 
@@ -93,6 +97,7 @@ class MaterialOptions:
     roughness: Annotated[
         float | None, typer.Option(help="GGX roughness, instead of --gloss. 0..1.")
     ] = None
+    specular: Annotated[SpecularModel | None, typer.Option(help=_help_of("specular"))] = None
     normal_strength: Annotated[float | None, typer.Option(help=_help_of("normal_strength"))] = None
     deep_scatter_strength: Annotated[
         float | None, typer.Option(help=_help_of("deep_scatter_strength"))

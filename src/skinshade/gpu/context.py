@@ -45,8 +45,8 @@ class SkinContext:
     """Resources of a material on a device, under the names of the shader library.
 
     The names are ``skin_block`` (``SkinBlock``), ``scatter_block`` (``ScatterBlock``), ``ring_lut``,
-    ``sphere_lut``, ``transfer_lut``, ``shadow_lut``, ``classic_lut``, ``classic_shadow_lut`` and
-    ``lut_sampler``. A shader declares the resources that it uses, in any group and at any binding.
+    ``sphere_lut``, ``transfer_lut``, ``shadow_lut``, ``coat_lut``, ``classic_lut``, ``classic_shadow_lut``
+    and ``lut_sampler``. A shader declares the resources that it uses, in any group and at any binding.
 
     Parameters
     ----------

@@ -32,7 +32,8 @@ def shader_source(text: str) -> str:
     """Return a fragment shader with the library inserted after its ``#version`` line.
 
     The shader can then call every function ``skin_…`` and read the blocks ``skin_block`` and
-    ``scatter_block`` and the tables ``ring_lut``, ``sphere_lut``, ``transfer_lut`` and ``shadow_lut``.
+    ``scatter_block`` and the tables ``ring_lut``, ``sphere_lut``, ``transfer_lut``, ``shadow_lut`` and
+    ``coat_lut``.
 
     Parameters
     ----------

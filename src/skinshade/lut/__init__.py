@@ -1,5 +1,6 @@
-"""Lookup tables: light over N·L and curvature, shadow over filter and 1/width, contrast over frequency."""
+"""Lookup tables of light, shadow, contrast and reflection, over the quantities that a shader knows."""
 
+from .coat import build_coat_lut
 from .curvature import curvature_lut
 from .shadow import build_shadow_lut
 from .spectral import DiffusionGeometry
@@ -10,6 +11,7 @@ __all__ = [
     "Axis",
     "DiffusionGeometry",
     "Lut",
+    "build_coat_lut",
     "build_shadow_lut",
     "build_transfer_lut",
     "curvature_lut",

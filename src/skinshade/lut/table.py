@@ -21,7 +21,7 @@ from .files import read_table, write_table
 
 __all__ = ["Axis", "Lut", "LutKind", "checked_range", "checked_size"]
 
-LutKind = Literal["curvature", "shadow", "transfer"]
+LutKind = Literal["curvature", "shadow", "transfer", "coat"]
 Spacing = Literal["linear", "sqrt"]
 
 
@@ -95,7 +95,7 @@ class Lut:
     values
         (H, W, 3) float32 physical values, without encoding or offset; read-only.
     kind
-        ``curvature``, ``shadow`` or ``transfer``.
+        ``curvature``, ``shadow``, ``transfer`` or ``coat``.
     columns, rows
         Axes along the width and the height.
     provenance
@@ -127,7 +127,9 @@ class Lut:
         if not np.isfinite(self.values).all():
             raise ArgumentError("values: all values must be finite")
         if self.kind not in get_args(LutKind):
-            raise ArgumentError(f"kind is {self.kind!r}; it must be curvature, shadow or transfer")
+            raise ArgumentError(
+                f"kind is {self.kind!r}; it must be one of {', '.join(get_args(LutKind))}"
+            )
         values = np.array(self.values, dtype=np.float32)
         values.setflags(write=False)
         object.__setattr__(self, "values", values)
@@ -149,11 +151,11 @@ class Lut:
         Parameters
         ----------
         column
-            (...) N·L (curvature), value of the wide shadow filter (shadow), or spatial frequency, rad/mm
-            (transfer).
+            (...) N·L (curvature), value of the wide shadow filter (shadow), spatial frequency, rad/mm
+            (transfer), or square root of N·V (coat).
         row
-            (...) curvature (curvature), or N·L over the filter's width (shadow), 1/mm; ignored by a
-            transfer table.
+            (...) curvature (curvature), or N·L over the filter's width (shadow), 1/mm; gloss (coat); ignored
+            by a transfer table.
 
         Returns
         -------

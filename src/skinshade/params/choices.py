@@ -12,10 +12,12 @@ __all__ = [
     "TERM_VIEWS",
     "AmbientForm",
     "Antialiasing",
+    "Boundary",
     "MaterialMap",
     "PresentStage",
     "Shading",
     "ShadowFilter",
+    "SpecularModel",
     "Tier",
     "ToneCurve",
     "View",
@@ -59,6 +61,21 @@ class AmbientForm(Choice):
     def order(self) -> int:
         """Greatest band of the harmonics of the sky that the form needs."""
         return 4 if self is AmbientForm.ORDER_4 else 2
+
+
+class SpecularModel(Choice):
+    """Specular lobes: one of GGX, two of GGX, or the two Blinn-Phong lobes that `Shading.CLASSIC` uses."""
+
+    GGX = "ggx"
+    GGX_TWO_LOBES = "ggx-two-lobes"
+    BLINN_PHONG = "blinn-phong"
+
+
+class Boundary(Choice):
+    """Boundary through which scattered light leaves: a smooth one, or that of Blender's skin closure."""
+
+    SMOOTH = "smooth"
+    BLENDER_SKIN = "blender-skin"
 
 
 class ShadowFilter(Choice):
@@ -148,6 +165,8 @@ SHADER_CHOICES: dict[str, type[Choice]] = {
     "SHADING": Shading,
     "TIER": Tier,
     "SHADOW_FILTER": ShadowFilter,
+    "SPECULAR": SpecularModel,
+    "BOUNDARY": Boundary,
     "VIEW": View,
     "STAGE": PresentStage,
 }

@@ -3,11 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import Field, dataclass, field, fields
-from typing import Any
+from typing import Any, TypeVar
 
+from .._core.choice import Choice
 from .._core.errors import ArgumentError
 
-__all__ = ["Meaning", "checked_fields", "meaning", "number"]
+__all__ = [
+    "ChoiceMeaning",
+    "Meaning",
+    "checked_fields",
+    "choice",
+    "choice_fields",
+    "meaning",
+    "number",
+    "number_fields",
+]
+
+C = TypeVar("C", bound=Choice)
 
 
 @dataclass(frozen=True)
@@ -33,9 +45,43 @@ class Meaning:
     source: str = ""
 
 
+@dataclass(frozen=True)
+class ChoiceMeaning:
+    """Enumeration and description of a parameter that is not a number.
+
+    Attributes
+    ----------
+    kind
+        Enumeration of the allowed values.
+    about
+        Description in one sentence.
+    """
+
+    kind: type[Choice]
+    about: str
+
+
 def number(default: Any, unit: str, low: float, high: float, about: str, source: str = "") -> Any:
     """Return a dataclass field with its `Meaning`."""
     return field(default=default, metadata={"meaning": Meaning(unit, low, high, about, source)})
+
+
+def choice(default: Any, kind: type[C], about: str) -> Any:
+    """Return a dataclass field of an enumeration, with its `ChoiceMeaning`.
+
+    The field also accepts the text of a member, and None if this is its default.
+    """
+    return field(default=default, metadata={"choice": ChoiceMeaning(kind, about)})
+
+
+def number_fields(block: Any) -> list[Field[Any]]:
+    """Return the fields of a dataclass or its instance that hold numbers: those of its constant block."""
+    return [parameter for parameter in fields(block) if "meaning" in parameter.metadata]
+
+
+def choice_fields(block: Any) -> list[Field[Any]]:
+    """Return the fields of a dataclass or its instance that hold members of enumerations."""
+    return [parameter for parameter in fields(block) if "choice" in parameter.metadata]
 
 
 def meaning(field: Field[Any]) -> Meaning:
@@ -55,16 +101,22 @@ def meaning(field: Field[Any]) -> Meaning:
 
 
 def checked_fields(instance: Any) -> None:
-    """Check that every field of a dataclass lies in its range.
+    """Check that every number of a dataclass lies in its range, and turn texts into members.
 
     Raises
     ------
     ArgumentError
-        If a field lies outside; the message gives the field, its value, its range and its unit.
+        If a field lies outside; the message gives the field, its value, its range and its unit. If no
+        member of an enumeration has a text; the message gives all members.
     """
     import numpy as np  # costs .2 s, and the help of the program only reads the ranges
 
-    for parameter in fields(instance):
+    for parameter in choice_fields(instance):
+        value = getattr(instance, parameter.name)
+        if value is not None or parameter.default is not None:
+            member = parameter.metadata["choice"].kind.of(value, parameter.name)
+            object.__setattr__(instance, parameter.name, member)
+    for parameter in number_fields(instance):
         m, value = meaning(parameter), getattr(instance, parameter.name)
         array = np.asarray(value, dtype=np.float64)
         if not np.isfinite(array).all() or (array < m.low).any() or (array > m.high).any():

@@ -70,12 +70,22 @@ class ScatterParams:
     classic_shadow_axes: tuple[float, float, float, float] = number(
         (0.0, 1.0, 0.0, 1.0), "1", -1e6, 1e6, AXES.format("the shadow table of 2014, rows 1/mm")
     )
+    coat_axes: tuple[float, float, float, float] = number(
+        (0.0, 1.0, 0.0, 1.0),
+        "1",
+        -1e6,
+        1e6,
+        AXES.format("the coat's table, columns √(N·V), rows gloss"),
+    )
     normal_sigmas_mm: tuple[float, float] = number(
         (0.0, 0.0),
         "mm",
         0.0,
         WIDEST_MM,
         "Standard deviations of the narrow and the wide blur of the normal map.",
+    )
+    coat_reflectance: float = number(
+        0.028, "1", 0.0, 0.2, "Reflectance at normal incidence that the coat's table was built for."
     )
 
     def __post_init__(self) -> None:

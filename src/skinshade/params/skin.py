@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import InitVar, dataclass
 
-from .fields import checked_fields, number
+from .choices import Boundary, SpecularModel
+from .fields import checked_fields, choice, number
 
 __all__ = ["SkinParams"]
 
@@ -13,7 +14,8 @@ __all__ = ["SkinParams"]
 class SkinParams:
     """Parameters of a skin material, besides its profile and its maps; ranges are checked.
 
-    The metadata of each field holds its `skinshade.params.fields.Meaning`: unit, range, source.
+    The metadata of each number holds its `skinshade.params.fields.Meaning`: unit, range, source. The
+    metadata of ``specular`` and ``boundary`` holds a `skinshade.params.fields.ChoiceMeaning`.
 
     Parameters
     ----------
@@ -36,7 +38,7 @@ class SkinParams:
         "1",
         0.0,
         1.0,
-        "Gloss of the first specular lobe, whose power is 2^(13 gloss).",
+        "Gloss of the first specular lobe, whose Blinn-Phong power is 2^(13 gloss).",
         "Lagarde2011",
     )
     reflectance: float = number(
@@ -99,6 +101,17 @@ class SkinParams:
         100.0,
         "Radius of the falloff of deep scatter in classic shading.",
         "Green2007",
+    )
+
+    specular: SpecularModel = choice(
+        SpecularModel.GGX,
+        SpecularModel,
+        "Specular lobes; classic shading always has those of Blinn-Phong.",
+    )
+    boundary: Boundary | None = choice(
+        None,
+        Boundary,
+        "Boundary through which scattered light leaves; by default, that of the profile.",
     )
 
     roughness: InitVar[float | None] = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Protocol, Self
+from typing import Literal, Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +20,8 @@ from .tabulated import TabulatedKernel
 
 __all__ = ["DiffusionKernel", "Profile"]
 
+Closure = Literal["", "blender-skin"]
+"""Closures of renderers that profiles are made from."""
 PLOT_REACH = 3.0
 """Range of the plot in notebooks, in root mean square radii of the widest channel."""
 
@@ -57,6 +59,9 @@ class Profile:
         Name for people.
     source
         Key of its source in ``REFERENCES.bib``; empty if there is none.
+    closure
+        Closure of a renderer that the profile was made for, and from which light leaves the surface:
+        ``blender-skin``, or empty for none.
 
     Examples
     --------
@@ -69,6 +74,7 @@ class Profile:
     albedo: FloatVector
     name: str = "custom"
     source: str = ""
+    closure: Closure = ""
 
     @classmethod
     def preset(cls, name: str) -> Profile:
@@ -134,8 +140,9 @@ class Profile:
             (3,) or scalar, mm, > 0.
         kind
             Kind of the length: ``shape`` (d itself), ``mean-free-path-searchlight``,
-            ``mean-free-path-diffuse`` or ``diffuse-mean-free-path``. There is no default, because
-            they differ by factors of two.
+            ``mean-free-path-diffuse``, ``diffuse-mean-free-path`` or ``blender-skin-radius``, the radius of
+            Blender's closure "random walk (skin)". There is no default, because they differ by factors of
+            two.
         albedo
             (3,) or scalar, 0..1 (excluding 1).
 
@@ -154,7 +161,9 @@ class Profile:
         if (length <= 0.0).any():
             raise ArgumentError(f"length_mm is {length}; it must be positive")
         a = _albedo(albedo)
-        return cls(BurleyKernel(shape_length_mm(length, kind, a)), a, source="Christensen2015")
+        kernel = BurleyKernel(shape_length_mm(length, kind, a))
+        closure: Closure = "blender-skin" if kind == "blender-skin-radius" else ""
+        return cls(kernel, a, source="Christensen2015", closure=closure)
 
     @classmethod
     def dipole(
@@ -231,11 +240,11 @@ class Profile:
         return cls(TabulatedKernel.checked(edges_mm, flux), _albedo(albedo))
 
     def equals(self, other: Profile) -> bool:
-        """Return whether the `other` profile scatters alike: the same albedo and transfer function."""
+        """Return whether the `other` profile scatters alike: equal albedo, transfer function and closure."""
+        if self.closure != other.closure or not np.array_equal(self.albedo, other.albedo):
+            return False
         frequencies = np.geomspace(1e-3, 1e3, 64)
-        return np.array_equal(self.albedo, other.albedo) and np.array_equal(
-            self.transfer(frequencies), other.transfer(frequencies)
-        )
+        return np.array_equal(self.transfer(frequencies), other.transfer(frequencies))
 
     def transfer(self, k_per_mm: ArrayLike) -> FloatArray:
         """Return T(k), the 2-D Hankel transform of R; T(0) = 1.

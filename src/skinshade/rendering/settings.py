@@ -105,7 +105,7 @@ class RenderSettings:
 
     @property
     def luts(self) -> tuple[str, ...]:
-        """Names of the lookup tables that these settings read."""
+        """Names of the lookup tables that these settings read, besides that of a material's coat."""
         if self.shading == Shading.LAMBERT:
             return ()
         if self.shading == Shading.CLASSIC:

@@ -17,7 +17,7 @@ from .._core.json import parse_json
 from .._core.limits import check_limit
 from ..mesh import Mesh, load_mesh
 from ..params import SkinParams
-from ..params.choices import ToneCurve
+from ..params.choices import SpecularModel, ToneCurve
 from ..profile import Profile
 from .asset_parts import asset_parts
 from .camera import Camera
@@ -218,6 +218,9 @@ def _params(material: Any) -> SkinParams:
         if "normal_strength" in given:
             raise ArgumentError("material.normal_strength: give it as material.normal.strength")
         given["normal_strength"] = material.normal.strength
+    if "gloss" in given and "specular" not in given:
+        # Assets with a gloss were made for Blinn-Phong lobes, and keep their look.
+        given["specular"] = SpecularModel.BLINN_PHONG
     if material.roughness is not None and "gloss" in given:
         raise ArgumentError("material: give roughness or gloss, not both")
     if material.ior is not None:

@@ -5,14 +5,13 @@ The models validate files, and ``docs/scene.schema.json`` is generated from them
 
 from __future__ import annotations
 
-from dataclasses import fields
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, create_model
 
 from .._core.arrays import LARGEST_LIGHT, LARGEST_POSITION
 from ..params import SkinParams
-from ..params.fields import meaning
+from ..params.fields import choice_fields, meaning, number_fields
 
 __all__ = ["SceneFile", "json_schema"]
 
@@ -147,7 +146,11 @@ class _MaterialMaps(_Model):
 def _parameter_fields() -> dict[str, Any]:
     """Return a field for each parameter of `SkinParams`, with its range and meaning."""
     result: dict[str, Any] = {}
-    for parameter in fields(SkinParams):
+    for parameter in choice_fields(SkinParams):
+        entry = parameter.metadata["choice"]
+        names = Literal[tuple(member.value for member in entry.kind)]  # type: ignore[valid-type]
+        result[parameter.name] = (names | None, Field(None, description=entry.about))
+    for parameter in number_fields(SkinParams):
         m = meaning(parameter)
         number = Annotated[float, Field(ge=m.low, le=m.high)]
         kind: Any = number

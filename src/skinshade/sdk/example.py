@@ -77,12 +77,18 @@ CALLS = (
         ),
     ),
     (
-        "8. Both specular lobes, with the sharp normal.",
+        "8. Highlight, with the sharp normal, and the share of all light that the coat reflects to the eye.",
         ("float3", "sharp", "normalize({row0})"),
         (
             "float",
             "highlight",
-            "skin_specular(sharp, view, to_light, gloss, skin_block.reflectance)",
+            "skin_coat_highlight(sharp, view, to_light, gloss, skin_block.reflectance)",
+        ),
+        (
+            "float",
+            "reflected",
+            "skin_coat({coat}, dot(sharp, view), gloss, skin_block.reflectance,"
+            " scatter_block.coat_reflectance).x",
         ),
     ),
     (
@@ -101,11 +107,11 @@ CALLS = (
         ),
     ),
     (
-        "10. Share of the light that enters the body, and sum of all terms.",
+        "10. Share of the light that leaves the body towards the eye, and sum of all terms.",
         (
             "float3",
             "body",
-            "albedo * skin_diffuse_share(dot(mesh_normal, view), gloss, skin_block.reflectance)",
+            "albedo * skin_view_factor(albedo, dot(sharp, view), skin_block.reflectance) * (1.0 - reflected)",
         ),
         (
             "float3",
@@ -131,7 +137,7 @@ def example_calls(language: ShadingLanguage) -> list[str]:
         "row2": "fetched[2]",
         "weights": f"{language.type_of('float3x3')}({', '.join(rows)})",
         "splat": _splat(language),
-        **{name: language.lut(name) for name in ("ring", "transfer", "shadow")},
+        **{name: language.lut(name) for name in ("ring", "transfer", "shadow", "coat")},
     }
     lines = []
     for about, *steps in CALLS:

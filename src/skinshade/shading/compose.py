@@ -12,11 +12,14 @@ from functools import partial
 import numpy as np
 
 from .._core.arrays import FloatArray, dot
-from ..params.choices import Shading, Tier
-from . import ambient, classic, deep_scatter, direct, normals, shadow, specular
+from ..params.choices import Boundary, Shading, SpecularModel, Tier
+from . import ambient, classic, deep_scatter, direct, lobes, normals, shadow
 from .energy import energy_gain
 from .pixel import Ambient, Incident, Surface
 from .skin import Skin
+from .specular import diffuse_share
+from .specular import reflected as reflected_direction
+from .view_factor import closure_view_factor, view_factor
 
 __all__ = ["TERMS", "shade"]
 
@@ -67,7 +70,7 @@ def shade(
     >>> from skinshade.shading.compose import shade
     >>> from skinshade.shading.pixel import Incident, Surface
     >>> profile = sk.Profile.preset("skin-deon2007")
-    >>> skin = sk.Skin.of(profile, sk.SkinParams(), luts=("sphere", "shadow"), fetches=(2,))
+    >>> skin = sk.Skin.of(profile, sk.SkinParams(), luts=("sphere", "shadow", "coat"), fetches=(2,))
     >>> up = np.array([[0.0, 0.0, 1.0]])
     >>> surface = Surface(
     ...     view=up,
@@ -99,10 +102,10 @@ def shade(
     if surroundings is not None:
         terms |= _ambient(skin, surface, channel_normals, surroundings, shading, gain)
     albedo = surface.albedo
+    if shading == Shading.TRANSFER:
+        albedo = albedo * _view_factor(skin, surface)
     if shading != Shading.CLASSIC:
-        n_dot_v = dot(surface.mesh_normal, surface.view)
-        share = specular.diffuse_share(n_dot_v, surface.gloss, surface.reflectance)
-        albedo = albedo * share[:, None]
+        albedo = albedo * _diffuse_share(skin, surface, shading)[:, None]
     for name in ("direct", "deep_scatter", "ambient", "ambient_deep_scatter"):
         terms[name] = terms[name] * albedo
     return terms
@@ -125,7 +128,7 @@ def _lambert(
     cosine = np.maximum(dot(surface.sharp, light.to_light), 0.0)
     return {
         "direct": np.repeat((cosine * sharpened)[:, None], 3, axis=1),
-        "specular": _specular(surface, light, sharpened),
+        "specular": _specular(skin, surface, light, Shading.LAMBERT, sharpened),
     }
 
 
@@ -148,7 +151,7 @@ def _classic(
     sharpened = classic.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
     terms = {
         "direct": diffuse * diffused_shadow,
-        "specular": _specular(surface, light, sharpened),
+        "specular": _specular(skin, surface, light, Shading.CLASSIC, sharpened),
     }
     if light.thickness_mm is not None:
         scattered = classic.deep_scatter(
@@ -179,7 +182,7 @@ def _transfer(
     sharpened = shadow.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
     terms = {
         "direct": _diffuse(skin, surface, channel_normals, light, tier, gain) * diffused_shadow,
-        "specular": _specular(surface, light, sharpened),
+        "specular": _specular(skin, surface, light, Shading.TRANSFER, sharpened),
     }
     if light.thickness_mm is not None:
         # The transmittance is absolute. It is divided by the profile's albedo here, because `shade`
@@ -248,21 +251,19 @@ def _ambient(
     irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, channel_normals)
     # Visibility and bounced light are diffused at the vertices.
     irradiance = irradiance * surroundings.visibility + surroundings.bounced
-    n_dot_v = dot(surface.sharp, surface.view)
     reflected = surroundings.reflected
     if surroundings.sky_harmonics is not None:
-        direction = specular.reflected(surface.sharp, surface.view)
         reflected = ambient.occluded_reflection(
             reflected,
             surroundings.bounced,
             surroundings.sky_harmonics,
             surface.mesh_normal,
-            direction,
+            reflected_direction(surface.sharp, surface.view),
         )
-    fresnel = specular.ambient_specular_fresnel(n_dot_v, surface.gloss, surface.reflectance)
+    share = lobes.sky_share(skin, surface, shading)
     terms = {
         "ambient": irradiance * gain,
-        "ambient_specular": reflected * fresnel[:, None],
+        "ambient_specular": reflected * share[:, None],
     }
     if shading == Shading.TRANSFER and surroundings.through is not None:
         terms["ambient_deep_scatter"] = (
@@ -283,11 +284,28 @@ def _gain(skin: Skin, surface: Surface) -> FloatArray:
     return energy_gain(skin.profile.albedo, skin.profile.rms_radius_mm, curvature)
 
 
-def _specular(surface: Surface, light: Incident, sharpened: FloatArray) -> FloatArray:
+def _view_factor(skin: Skin, surface: Surface) -> FloatArray:
+    """Return the factor (N, 3) on diffuse light that leaves towards the eye."""
+    n_dot_v = dot(surface.sharp, surface.view)
+    if skin.boundary == Boundary.BLENDER_SKIN:
+        return closure_view_factor(surface.albedo, n_dot_v)
+    # Maps of the reflectance darken cavities and brighten moisture; they are not of the boundary below.
+    return view_factor(surface.albedo, n_dot_v, np.asarray(skin.params.reflectance))
+
+
+def _diffuse_share(skin: Skin, surface: Surface, shading: Shading) -> FloatArray:
+    """Return the share (N,) of light that passes the coat and is diffused."""
+    if skin.specular_model(shading) == SpecularModel.BLINN_PHONG:
+        n_dot_v = dot(surface.mesh_normal, surface.view)
+        return diffuse_share(n_dot_v, surface.gloss, surface.reflectance)
+    return 1.0 - lobes.sky_share(skin, surface, shading)
+
+
+def _specular(
+    skin: Skin, surface: Surface, light: Incident, shading: Shading, sharpened: FloatArray
+) -> FloatArray:
     """Return the highlight (N, 3) of one light, multiplied by its sharpened shadow (N,)."""
-    highlight = specular.specular(
-        surface.sharp, surface.view, light.to_light, surface.gloss, surface.reflectance
-    )
+    highlight = lobes.highlight(skin, surface, light.to_light, shading)
     return np.broadcast_to((highlight * sharpened)[:, None], (sharpened.size, 3))
 
 

@@ -14,20 +14,22 @@ __all__ = [
     "LOBE_POWERS",
     "PreconvolvedRadiance",
     "bilinear",
+    "coat_radiance",
     "equirectangular_uv",
     "reflected_radiance",
     "reflection_level",
 ]
 
 LOBE_POWERS = (1.0, 4.0, 16.0, 64.0, 256.0)
-"""Phong powers of the preconvolved levels. A Blinn-Phong lobe of power n reflects like a Phong lobe of power
-n/4 [Walter2007]."""
+"""Phong powers of the preconvolved levels."""
 LEVEL_SIZE = (128, 64)
 """Columns and rows of each level."""
 REFLECTION_LEVELS = float(len(LOBE_POWERS))
 """Number of levels, for shaders."""
 REFLECTION_ROWS = float(LEVEL_SIZE[1])
 """Number of rows of each level in the atlas that shaders sample."""
+LEAST_VIEW_COSINE = 0.01
+"""Least N·V in the power of a lobe; below it, lobes of any gloss are narrower than the sharpest level."""
 
 
 @dataclass(frozen=True)
@@ -108,6 +110,33 @@ def reflected_radiance(
     wide = preconvolved.sample(direction, power / 4.0)
     sharp = preconvolved.sample(direction, np.square(power) / 4.0)
     return (1.0 - SHARP_LOBE_SHARE) * wide + SHARP_LOBE_SHARE * sharp
+
+
+def coat_radiance(
+    preconvolved: PreconvolvedRadiance,
+    direction: FloatArray,
+    n_dot_v: FloatArray,
+    gloss: FloatArray,
+) -> FloatArray:
+    """Return the radiance (..., 3) that a GGX lobe reflects from the environment.
+
+    The Phong power 1/(4α²·N·V) = (p + 2)/(8·N·V) fits the first twenty harmonics of the lobe around its mean
+    direction, for α of .03 to .6 and N·V of .2 to 1: the long tails of GGX make a lobe wider than that of
+    the Blinn-Phong power p, and towards grazing directions it gets narrower.
+
+    Parameters
+    ----------
+    preconvolved
+        Radiance of the environment.
+    direction
+        (..., 3) mean directions, from `skinshade.shading.coat.coat_direction`; unit vectors.
+    n_dot_v
+        (...) cosine between the sharp normal and the direction towards the eye.
+    gloss
+        (...) gloss of the lobe, 0..1.
+    """
+    cosine = np.maximum(n_dot_v, LEAST_VIEW_COSINE)
+    return preconvolved.sample(direction, (specular_power(gloss) + 2.0) / (8.0 * cosine))
 
 
 def bilinear(levels: ImageStack, level: IntArray, u: FloatArray, v: FloatArray) -> FloatArray:

@@ -101,7 +101,7 @@ class Ambient:
     bounced
         (N, 3) irradiance over π from lit parts of the body that occlude the environment.
     reflected
-        (N, 3) preconvolved radiance in the mirror direction, of both lobes.
+        (N, 3) mean radiance over the specular lobes, from `skinshade.shading.lobes.reflected_sky`.
     through
         (N, 3) irradiance over π that arrives through the body, or None.
     sky_harmonics

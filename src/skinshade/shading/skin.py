@@ -11,6 +11,7 @@ from .._core.arrays import FloatArray, as_triple
 from .._core.errors import ArgumentError
 from ..lut import Lut
 from ..params import ScatterParams, SkinParams
+from ..params.choices import Boundary, Shading, SpecularModel
 from ..profile import Profile
 from .deep_scatter import default_sigma_per_mm
 from .normals import NormalBlend
@@ -55,7 +56,7 @@ class Skin:
         params
             Parameters of the material.
         luts
-            Names of the tables: ``ring``, ``sphere``, ``transfer``, ``shadow``, ``classic`` and
+            Names of the tables: ``ring``, ``sphere``, ``transfer``, ``shadow``, ``coat``, ``classic`` and
             ``classic_shadow``.
         fetches
             Numbers of normal map fetches, 2 or 3, whose weights are fitted.
@@ -140,12 +141,29 @@ class Skin:
             blend_green=as_triple(weights[1]),
             blend_blue=as_triple(weights[2]),
             normal_sigmas_mm=(float(sigmas[0]), float(sigmas[1])),
+            coat_reflectance=self.coat_reflectance,
             **{f"{name}_axes": lut.axes for name, lut in self.tables.luts.items()},
         )
 
     def transfer(self, k_per_mm: FloatArray) -> FloatArray:
         """Return the profile's T(k) (..., 3) at spatial frequencies `k_per_mm` (...), rad/mm."""
         return self.profile.kernel.transfer(k_per_mm)
+
+    def specular_model(self, shading: Shading) -> SpecularModel:
+        """Return the specular lobes under a `shading`; ``classic`` always has those of Blinn-Phong."""
+        return SpecularModel.BLINN_PHONG if shading == Shading.CLASSIC else self.params.specular
+
+    @property
+    def boundary(self) -> Boundary:
+        """Boundary through which scattered light leaves: that of the parameters, or else of the profile."""
+        if self.params.boundary is not None:
+            return self.params.boundary
+        return Boundary(self.profile.closure) if self.profile.closure else Boundary.SMOOTH
+
+    @property
+    def coat_reflectance(self) -> float:
+        """Reflectance at normal incidence that the coat's table was built for."""
+        return self.tables.params.reflectance
 
     def __repr__(self) -> str:
         return f"Skin({self.profile!r}, tables {', '.join(self.tables.luts)})"

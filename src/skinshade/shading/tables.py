@@ -8,7 +8,7 @@ from functools import partial
 
 from .._core.arrays import FloatArray
 from .._core.errors import ArgumentError
-from ..lut import Lut, build_shadow_lut, build_transfer_lut, curvature_lut
+from ..lut import Lut, build_coat_lut, build_shadow_lut, build_transfer_lut, curvature_lut
 from ..lut.classic import classic_curvature_lut, classic_shadow_lut
 from ..lut.spectral import DiffusionGeometry
 from ..params import SkinParams
@@ -109,6 +109,10 @@ def _classic_shadow(profile: Profile, params: SkinParams) -> Lut:
     return classic_shadow_lut(profile, size=SHADOW_SIZE, sharpening=params.shadow_sharpening)
 
 
+def _coat(profile: Profile, params: SkinParams) -> Lut:
+    return build_coat_lut(reflectance=params.reflectance)
+
+
 LUTS: dict[str, Callable[[Profile, SkinParams], Lut]] = {
     "ring": partial(_curvature, DiffusionGeometry.RING),
     "sphere": partial(_curvature, DiffusionGeometry.SPHERE),
@@ -116,9 +120,10 @@ LUTS: dict[str, Callable[[Profile, SkinParams], Lut]] = {
     "shadow": _shadow,
     "classic": _classic,
     "classic_shadow": _classic_shadow,
+    "coat": _coat,
 }
 """Functions that build the tables, by name. In shaders, a table is ``<name>_lut`` with ``<name>_axes``."""
-ENGINE_LUTS = ("ring", "sphere", "transfer", "shadow")
+ENGINE_LUTS = ("ring", "sphere", "transfer", "shadow", "coat")
 """Names of the tables that engines need; the others are for comparison with the system of 2014."""
 
 

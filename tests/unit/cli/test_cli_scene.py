@@ -103,6 +103,8 @@ def test_roughness_sets_the_gloss_of_a_lobe_of_that_roughness(request, kind, rou
     [
         ("gloss", 0.5),
         ("gloss", 0.0),
+        ("specular", "ggx-two-lobes"),
+        ("specular", "blinn-phong"),
         ("scatter_scale", 2.0),
         ("normal_strength", 0.0),
         ("deep_scatter_strength", 0.0),

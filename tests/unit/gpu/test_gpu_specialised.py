@@ -35,19 +35,24 @@ SAME_COST = {
         {"LIGHTS": 0, "SHADOW_FILTER": 0, "SPOT_LIGHTS": 0},
         {"LIGHTS": 0, "SHADOW_FILTER": 1, "SPOT_LIGHTS": 1},
     ],
+    "boundaries without scattering": [
+        {"SHADING": 0, "BOUNDARY": 0},
+        {"SHADING": 0, "BOUNDARY": 1},
+    ],
     "light in a view of the albedo": [
         {"VIEW": 6},
         {"VIEW": 6, "TAPS": 32, "SHADOW_FILTER": 1, "ENVIRONMENT": 0, "TIER": 0},
     ],
 }
 RISING_COST = {
-    "tiers": [{"TIER": tier} for tier in (0, 1, 2)],
+    "tiers": [{"TIER": tier, "ENVIRONMENT": 0} for tier in (0, 1, 2)],
     "taps": [{"TAPS": taps} for taps in (0, 8, 32)],
     "fetches of the normal map": [{"FETCHES": fetches} for fetches in (1, 2, 3)],
     "surroundings": [{"ENVIRONMENT": 0}, {"ENVIRONMENT": 1}],
     "spot lights": [{"SPOT_LIGHTS": 0}, {"SPOT_LIGHTS": 1}],
     "lights": [{"LIGHTS": 0}, {"LIGHTS": 1}],
     "maps": [{"MAPS": 0}, {"MAPS": 15}],
+    "lobes of GGX": [{"SPECULAR": 0}, {"SPECULAR": 1}],
 }
 
 

@@ -71,8 +71,8 @@ def buffer_bytes(material, name):
 def test_the_uniforms_are_the_bytes_of_the_parameters(tier):
     params = SkinParams(gloss=0.41, reflectance=0.04, scatter_scale=1.5)
     material = SkinMaterial(params=params, tier=tier)
-    luts = ("sphere", "shadow") if tier == "scalar" else ("ring", "transfer", "shadow")
-    skin = Skin.of(material.skin.profile.scaled(1.0 / 1.5), params, luts=luts)
+    luts = ("sphere",) if tier == "scalar" else ("ring", "transfer")
+    skin = Skin.of(material.skin.profile.scaled(1.0 / 1.5), params, luts=(*luts, "shadow", "coat"))
     assert buffer_bytes(material, "skin_buffer") == params.pack()
     assert buffer_bytes(material, "scatter_buffer") == skin.scatter_params().pack()
 

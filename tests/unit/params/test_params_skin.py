@@ -1,4 +1,4 @@
-from dataclasses import FrozenInstanceError, fields, replace
+from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 
 from skinshade._core.errors import ArgumentError
 from skinshade.params import SkinParams
-from skinshade.params.fields import meaning
+from skinshade.params.fields import meaning, number_fields
 from skinshade.params.gloss import POWER_OCTAVES, gloss_from_roughness
 from tolerances import ROUNDING, ROUNDING_SUMS
 
-FIELDS = fields(SkinParams)
+FIELDS = number_fields(SkinParams)
 EVERY_FIELD = pytest.mark.parametrize("field", FIELDS, ids=lambda field: field.name)
 
 

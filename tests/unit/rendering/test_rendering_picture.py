@@ -6,12 +6,13 @@ import pytest
 import shading_tolerances as tol
 import skinshade as sk
 from shapes import square, unit_icosphere
+from skinshade.lut import build_coat_lut
 from skinshade.mesh import Mesh
 from skinshade.params.choices import TERM_VIEWS
 from skinshade.profile import Profile
 from skinshade.rendering import RenderSettings, open_renderer, render
 from skinshade.scene import Camera, DirectionalLight, Environment, Material, Scene
-from skinshade.shading.specular import diffuse_share
+from skinshade.shading.coat import coat
 
 RADIUS_MM = 80.0
 CAMERA = Camera((0.0, 0.0, 700.0), (0.0, 0.0, 0.0), 16.0)
@@ -170,7 +171,10 @@ def test_lambert_is_albedo_times_the_cosine_under_the_coat(analytic):
     view = np.array([0.0, 0.0, 700.0]) - RADIUS_MM * n
     view /= np.linalg.norm(view, axis=1)[:, None]
     params = one.material.params
-    share = diffuse_share((n * view).sum(axis=1), params.gloss, params.reflectance)
+    n_dot_v = (n * view).sum(axis=1)
+    gloss, reflectance = (np.full(len(n), v) for v in (params.gloss, params.reflectance))
+    lut = build_coat_lut(reflectance=params.reflectance)
+    share = 1.0 - coat(lut, n_dot_v, gloss, reflectance, params.reflectance)[0]
     cosine = np.maximum(n @ KEY.to_light, 0.0)
     truth = (cosine * share)[:, None] * one.material.albedo[0, 0]
     assert np.abs(found[inside][:, :3] - truth).max() <= tol.FACETED_SHADING.value
@@ -178,7 +182,9 @@ def test_lambert_is_albedo_times_the_cosine_under_the_coat(analytic):
 
 def test_a_profile_narrower_than_anything_is_lambert(lit):
     dot = Profile.gaussians(variances_mm2=[1e-8], weights=[[1.0] * 3], albedo=(0.5, 0.4, 0.3))
-    one = scene(KEY, RIM, material=Material(profile=dot), environment=Environment.studio(scale=0.5))
+    # White light leaves a white body alike in all directions.
+    white = Material(profile=dot, albedo=np.ones((1, 1, 3), dtype=np.float32))
+    one = scene(KEY, RIM, material=white, environment=Environment.studio(scale=0.5))
     renderer = open_renderer(one)
     lambert = draw(renderer, shading="lambert")
     for tier in ("scalar", "tensor", "diffused-normals"):

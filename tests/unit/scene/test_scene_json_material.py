@@ -1,13 +1,12 @@
 """Materials of scenes from JSON files: parameters, maps and profiles."""
 
-from dataclasses import fields
-
 import numpy as np
 import pytest
 from test_scene_json import MINIMAL, ROWS, SCENE, changed, write, write_files
 
 import shading_tolerances as tol
 from skinshade.params import SkinParams
+from skinshade.params.fields import number_fields
 from skinshade.params.gloss import gloss_from_roughness
 from skinshade.profile import Profile
 from skinshade.scene import load_scene
@@ -34,7 +33,7 @@ def test_roughness_ior_and_the_strength_of_the_normal_map_become_parameters(fold
     assert params.scatter_scale == SkinParams().scatter_scale
 
 
-@pytest.mark.parametrize("name", [field.name for field in fields(SkinParams)])
+@pytest.mark.parametrize("name", [field.name for field in number_fields(SkinParams)])
 def test_every_skin_parameter_can_be_given_by_its_name(folder, name):
     default = getattr(SkinParams(), name)
     value = [0.2, 0.4, 0.6] if isinstance(default, tuple) else 0.5 * default
@@ -167,3 +166,25 @@ PROFILES = [
 def test_a_profile_is_that_of_the_library(folder, entry, build):
     scene = load(folder, "material.profile", entry)
     assert same_profile(scene.material.profile, build())
+
+
+@pytest.mark.parametrize(
+    ("material", "expected"),
+    [
+        ({}, "ggx"),
+        ({"roughness": 0.4}, "ggx"),
+        ({"gloss": 0.4}, "blinn-phong"),
+        ({"gloss": 0.4, "specular": "ggx"}, "ggx"),
+        ({"roughness": 0.4, "specular": "ggx-two-lobes"}, "ggx-two-lobes"),
+        ({"specular": "blinn-phong"}, "blinn-phong"),
+    ],
+)
+def test_a_gloss_keeps_the_lobes_of_blinn_phong_unless_others_are_named(folder, material, expected):
+    params = load_scene(write(folder, MINIMAL | {"material": material})).material.params
+    assert params.specular == expected
+
+
+def test_the_boundary_is_named_or_left_to_the_profile(folder):
+    for material, expected in (({}, None), ({"boundary": "blender-skin"}, "blender-skin")):
+        params = load_scene(write(folder, MINIMAL | {"material": material})).material.params
+        assert params.boundary == expected

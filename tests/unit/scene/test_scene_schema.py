@@ -1,12 +1,11 @@
 """The JSON Schema of scene descriptions says what the reader accepts."""
 
 import json
-from dataclasses import fields
 
 import pytest
 
 from skinshade.params import SkinParams
-from skinshade.params.fields import meaning
+from skinshade.params.fields import meaning, number_fields
 from skinshade.scene.schema import json_schema
 
 
@@ -38,7 +37,7 @@ def test_version_mesh_and_camera_are_required(schema):
     assert schema["$defs"]["CameraFile"]["required"] == ["position", "target"]
 
 
-@pytest.mark.parametrize("parameter", fields(SkinParams), ids=lambda field: field.name)
+@pytest.mark.parametrize("parameter", number_fields(SkinParams), ids=lambda field: field.name)
 def test_every_skin_parameter_has_its_range_and_its_meaning(schema, parameter):
     entry = schema["$defs"]["MaterialFile"]["properties"][parameter.name]
     expected = meaning(parameter)

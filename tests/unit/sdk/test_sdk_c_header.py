@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-from dataclasses import fields
 from importlib.resources import files
 
 import numpy as np
@@ -13,7 +12,7 @@ import pytest
 from codegen.blocks import LIBRARY_BLOCKS
 from gpu_device import tool_or_skip
 from skinshade.params import BLOCKS
-from skinshade.params.fields import meaning
+from skinshade.params.fields import meaning, number_fields
 
 COUNT = 200
 COMPILERS = {"gcc": ["gcc", "-std=c99", "-x", "c"], "g++": ["g++", "-std=c++11", "-x", "c++"]}
@@ -85,7 +84,7 @@ def random_columns(block, seed):
     """Return random float32 values of every field, (COUNT, size) each; rows 0 and 1 are the limits."""
     rng = np.random.default_rng(seed)
     columns = []
-    for field in fields(BLOCKS[block]):
+    for field in number_fields(BLOCKS[block]):
         m, size = meaning(field), np.atleast_1d(field.default).size
         low, high = np.float32(m.low), np.float32(m.high)
         values = rng.uniform(low, high, (COUNT, size)).astype(np.float32)
@@ -96,7 +95,7 @@ def random_columns(block, seed):
 
 def packed_by_python(block, columns, row):
     arguments = {}
-    for field, column in zip(fields(BLOCKS[block]), columns, strict=True):
+    for field, column in zip(number_fields(BLOCKS[block]), columns, strict=True):
         m = meaning(field)
         # C compares in float32: a limit that float32 rounds outwards is within its range.
         values = tuple(min(max(float(v), m.low), m.high) for v in column[row])
@@ -127,7 +126,7 @@ def test_defaults_are_the_same_and_wrong_arguments_have_error_codes(block, compi
 @pytest.mark.parametrize("value", ["beyond", "nan", "inf"])
 def test_a_field_out_of_its_range_is_reported_by_name(value, tmp_path):
     rows, names = [], []
-    for at, field in enumerate(fields(BLOCKS["SkinBlock"])):
+    for at, field in enumerate(number_fields(BLOCKS["SkinBlock"])):
         columns = [column[:1].copy() for column in random_columns("SkinBlock", 1)]
         bad = {"beyond": meaning(field).high * 1.01 + 1.0, "nan": np.nan, "inf": np.inf}[value]
         columns[at][0, -1] = bad
@@ -141,7 +140,7 @@ def test_a_field_out_of_its_range_is_reported_by_name(value, tmp_path):
 def test_the_header_gives_the_range_and_unit_of_every_field():
     text = GENERATED.joinpath("skinshade.h").read_text("utf-8")
     for block in LIBRARY_BLOCKS:
-        for field in fields(BLOCKS[block]):
+        for field in number_fields(BLOCKS[block]):
             m = meaning(field)
             line = re.search(rf"^    float {field.name}[\[;].*$", text, re.M).group()
             assert f"{m.low:g}..{m.high:g}" in line

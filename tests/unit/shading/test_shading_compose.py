@@ -11,14 +11,15 @@ import shading_tolerances as tol
 from skinshade.params import SkinParams
 from skinshade.params.choices import Shading, Tier
 from skinshade.profile import Profile
+from skinshade.shading.coat import coat, coat_highlight
 from skinshade.shading.compose import TERMS, shade
 from skinshade.shading.deep_scatter import transmittance
 from skinshade.shading.direct import directional_curvature, relief_length
 from skinshade.shading.energy import energy_gain
 from skinshade.shading.pixel import Ambient, Incident, Surface
 from skinshade.shading.skin import Skin
-from skinshade.shading.specular import ambient_specular_fresnel, diffuse_share, specular
 from skinshade.shading.tables import LUTS
+from skinshade.shading.view_factor import view_factor
 
 SEED = st.integers(0, 2**20)
 COUNT = 12
@@ -100,6 +101,12 @@ def facing(albedo=1.0, **changes):
     return replace(plain, **changes)
 
 
+def reflected_share(skin, n_dot_v):
+    """Return the directional albedo of the coat of `facing`."""
+    gloss, reflectance = np.array([0.35]), np.array([0.028])
+    return coat(skin.lut("coat"), np.array([n_dot_v]), gloss, reflectance, 0.028)[0][0]
+
+
 def lamp(to_light, thickness=None, shadow=1.0):
     t = None if thickness is None else np.array([thickness])
     return Incident(np.array([to_light]), np.ones((1, 3)), np.array([shadow]), t)
@@ -157,8 +164,12 @@ def test_albedo_multiplies_every_term_except_specular_ones(skin, shading, seed):
     surface, light, sky = random_surface(seed), random_light(seed), random_sky(seed)
     white = replace(surface, albedo=np.ones((COUNT, 3)))
     plain, bright = (shade(skin, s, [light], sky, shading) for s in (surface, white))
+    albedo = surface.albedo
+    if shading == Shading.TRANSFER:  # the view factor of white is 1
+        n_dot_v = np.sum(surface.sharp * surface.view, axis=1)
+        albedo = albedo * view_factor(albedo, n_dot_v, np.array(skin.params.reflectance))
     for name in TERMS:
-        factor = 1.0 if "specular" in name else surface.albedo
+        factor = 1.0 if "specular" in name else albedo
         assert np.allclose(plain[name], factor * bright[name], rtol=1e-12, atol=0.0)
 
 
@@ -184,13 +195,13 @@ def test_a_rotation_of_surface_and_light_changes_no_term(skin, shading, seed):
 
 def test_a_white_lambert_surface_facing_the_light_has_the_radiance_that_passes_its_coat(skin):
     terms = shade(skin, facing(), [lamp([0.0, 0.0, 1.0])], None, Shading.LAMBERT)
-    coat = diffuse_share(np.ones(1), np.full(1, 0.35), np.full(1, 0.028))[0]
-    assert np.allclose(terms["direct"], coat, rtol=tol.ROUNDING.value)
+    assert np.allclose(terms["direct"], 1.0 - reflected_share(skin, 1.0), rtol=tol.ROUNDING.value)
     up = np.array([[0.0, 0.0, 1.0]])
-    highlight = specular(up, up, up, np.full(1, 0.35), np.full(1, 0.028))
+    highlight = coat_highlight(up, up, up, np.full(1, 0.35), np.full(1, 0.028))
     assert np.allclose(terms["specular"], highlight, rtol=tol.ROUNDING.value)
-    bare = facing(reflectance=np.zeros(1))
-    without_coat = shade(skin, bare, [lamp([0.0, 0.0, 1.0])], None, Shading.LAMBERT)["direct"]
+    bare = Skin.of(skin.profile, SkinParams(reflectance=0.0), luts=("coat",), fetches=())
+    surface, light = facing(reflectance=np.zeros(1)), lamp([0.0, 0.0, 1.0])
+    without_coat = shade(bare, surface, [light], None, Shading.LAMBERT)["direct"]
     assert np.abs(without_coat - 1.0).max() <= tol.ROUNDING.value
 
 
@@ -198,8 +209,9 @@ def test_a_white_lambert_surface_facing_the_light_has_the_radiance_that_passes_i
 @pytest.mark.parametrize("cosine", [-0.5, 0.2, 0.7, 1.0])
 def test_on_a_plane_transfer_is_lambert_in_every_tier(skin, tier, cosine):
     light = lamp([np.sqrt(1.0 - cosine**2), 0.0, cosine])
-    lambert = shade(skin, facing(), [light], None, Shading.LAMBERT)
-    transfer = shade(skin, facing(), [light], None, tier=tier)
+    white = facing()  # its view factor is 1
+    lambert = shade(skin, white, [light], None, Shading.LAMBERT)
+    transfer = shade(skin, white, [light], None, tier=tier)
     assert np.abs(transfer["direct"] - lambert["direct"]).max() <= tol.PLANE.value
     assert np.array_equal(transfer["specular"], lambert["specular"])
 
@@ -217,8 +229,8 @@ def test_deep_scatter_is_transmittance_times_tint_times_the_cosine_behind(skin, 
     terms = shade(skin, facing(0.5), [light], None, Shading.TRANSFER)
     albedo = skin.profile.albedo
     passed = transmittance(np.array(t), albedo, skin.sigma_per_mm) / albedo
-    coat = diffuse_share(np.ones(1), np.full(1, 0.35), np.full(1, 0.028))[0]
-    truth = passed * behind * (0.9, 0.5, 0.4) * 0.5 * coat
+    leaving = view_factor(np.full(3, 0.5), np.array(1.0), np.array(0.028))
+    truth = passed * behind * (0.9, 0.5, 0.4) * 0.5 * (1.0 - reflected_share(skin, 1.0)) * leaving
     assert np.allclose(terms["deep_scatter"], truth, rtol=1e-9, atol=1e-15)
 
 
@@ -244,8 +256,7 @@ def test_a_white_plane_under_a_uniform_sky_has_the_radiance_of_the_sky(skin, sha
     tilted = facing(view=np.array([[np.sqrt(1.0 - view**2), 0.0, view]]))
     terms = shade(skin, tilted, [], uniform_sky(), shading)
     assert np.allclose(terms["ambient"] + terms["ambient_specular"], 1.0, atol=1e-9)
-    fresnel = ambient_specular_fresnel(np.array(view), np.array(0.35), np.array(0.028))
-    assert np.allclose(terms["ambient_specular"], fresnel, rtol=1e-9)
+    assert np.allclose(terms["ambient_specular"], reflected_share(skin, view), rtol=1e-9)
 
 
 @every_shading

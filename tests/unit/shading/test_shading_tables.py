@@ -10,6 +10,7 @@ from skinshade.lut import DiffusionGeometry
 from skinshade.params import ScatterParams, SkinParams
 from skinshade.shading import tables
 from skinshade.shading.energy import energy_gain
+from skinshade.shading.skin import Skin
 from skinshade.shading.tables import (
     BUILT_FOR,
     ENGINE_LUTS,
@@ -28,10 +29,13 @@ OTHER_PARAMS = SkinParams(
     deep_scatter_sigma_per_mm=(0.3, 0.6, 0.9),
     deep_scatter_tint=(0.9, 0.5, 0.4),
     classic_deep_scatter_radius_mm=3.0,
+    specular="blinn-phong",
+    boundary="blender-skin",
 )
 """Parameters with other values in every field that no table depends on."""
-QUICK_LUTS = [name for name in LUTS if name != "classic"]
-"""All tables but one that takes two seconds, and whose builder reads the profile alone."""
+QUICK_LUTS = [name for name in LUTS if name not in ("classic", "coat")]
+"""All tables but one that takes two seconds, and whose builder reads the profile alone, and that of the coat,
+whose reflectance is in the scatter block."""
 
 
 @pytest.fixture
@@ -129,6 +133,22 @@ def test_a_table_depends_on_no_parameter_that_check_accepts(name, deon):
     default, other = (LUTS[name](deon, params) for params in (SkinParams(), OTHER_PARAMS))
     assert np.array_equal(default.values, other.values)
     assert default.axes == other.axes
+
+
+def test_the_table_of_the_coat_depends_on_the_reflectance_alone(deon):
+    same = replace(OTHER_PARAMS, reflectance=SkinParams().reflectance)
+    default, equal, other = (LUTS["coat"](deon, p) for p in (SkinParams(), same, OTHER_PARAMS))
+    assert np.array_equal(default.values, equal.values)
+    assert not np.array_equal(default.values, other.values)
+
+
+def test_new_parameters_keep_the_reflectance_of_the_table_of_the_coat(deon):
+    skin = Skin.of(deon, SkinParams(), luts=("coat",), fetches=(3,))
+    brighter = skin.with_params(SkinParams(reflectance=0.05))
+    assert brighter.scatter_params().coat_reflectance == SkinParams().reflectance
+    assert brighter.lut("coat") is skin.lut("coat")
+    rebuilt = Skin.of(deon, SkinParams(reflectance=0.05), luts=("coat",), fetches=(3,))
+    assert rebuilt.scatter_params().coat_reflectance == 0.05
 
 
 @pytest.mark.parametrize("name", ["shadow_filter_width_mm", "shadow_sharpening"])

@@ -91,6 +91,53 @@ fn skinshade_diffuse(s: SkinSurface, to_light: vec3<f32>) -> vec3<f32> {
     $$ endif
 }
 
+fn skinshade_highlight(s: SkinSurface, to_light: vec3<f32>) -> f32 {
+    $$ if skin_specular == "blinn-phong"
+    return skin_specular(s.sharp, s.view, to_light, s.gloss, s.reflectance);
+    $$ else
+    let first = skin_coat_highlight(s.sharp, s.view, to_light, s.gloss, s.reflectance);
+    $$ if skin_specular == "ggx-two-lobes"
+    let second = skin_coat_highlight(s.sharp, s.view, to_light, skin_second_gloss(s.gloss), s.reflectance);
+    return mix(first, second, {{ skin_sharp_lobe_share }});
+    $$ else
+    return first;
+    $$ endif
+    $$ endif
+}
+
+// Share of an even sky that the coat reflects to the eye.
+fn skinshade_sky_share(s: SkinSurface) -> f32 {
+    let n_dot_v = dot(s.sharp, s.view);
+    $$ if skin_specular == "blinn-phong"
+    return skin_ambient_specular_fresnel(n_dot_v, s.gloss, s.reflectance);
+    $$ else
+    let first = skin_coat(
+        t_coat_table, s_table, u_scatter.coat_axes, n_dot_v, s.gloss, s.reflectance, u_scatter.coat_reflectance);
+    $$ if skin_specular == "ggx-two-lobes"
+    let second = skin_coat(
+        t_coat_table, s_table, u_scatter.coat_axes,
+        n_dot_v, skin_second_gloss(s.gloss), s.reflectance, u_scatter.coat_reflectance);
+    return mix(first.x, second.x, {{ skin_sharp_lobe_share }});
+    $$ else
+    return first.x;
+    $$ endif
+    $$ endif
+}
+
+// Share of the light in the body that leaves towards the eye.
+fn skinshade_body(s: SkinSurface, albedo: vec3<f32>) -> vec3<f32> {
+    $$ if skin_boundary == "blender-skin"
+    let factor = skin_closure_view_factor(albedo, dot(s.sharp, s.view));
+    $$ else
+    let factor = skin_view_factor(albedo, dot(s.sharp, s.view), u_skin.reflectance);
+    $$ endif
+    $$ if skin_specular == "blinn-phong"
+    return albedo * factor * skin_diffuse_share(dot(s.mesh_normal, s.view), s.gloss, s.reflectance);
+    $$ else
+    return albedo * factor * (1.0 - skinshade_sky_share(s));
+    $$ endif
+}
+
 fn skinshade_add(light: SkinIncident, s: SkinSurface, sum: ptr<function, ReflectedLight>) {
     $$ if skin_taps > 0
     let transmittance = skin_transmittance(light.thickness_mm, u_scatter.albedo.xyz, u_scatter.sigma_per_mm.xyz);
@@ -108,7 +155,7 @@ fn skinshade_add(light: SkinIncident, s: SkinSurface, sum: ptr<function, Reflect
     (*sum).direct_diffuse += light.radiance * skinshade_diffuse(s, light.to_light) * shadow * s.albedo;
     (*sum).direct_specular += light.radiance
         * skin_sharpened_shadow(light.shadow_filter, u_skin.shadow_sharpening)
-        * skin_specular(s.sharp, s.view, light.to_light, s.gloss, s.reflectance);
+        * skinshade_highlight(s, light.to_light);
 }
 
 // pygfx calls this function for ambient light and light maps, which are a uniform environment: band 0 only.
@@ -122,5 +169,5 @@ fn RE_IndirectDiffuse(irradiance: vec3<f32>, g: GeometricContext, s: SkinSurface
         mat3x3<f32>(vec3<f32>(band_0.g, 0.0, 0.0), zero, zero),
         mat3x3<f32>(vec3<f32>(band_0.b, 0.0, 0.0), zero, zero),
         s.normals, bands);
-    (*sum).indirect_specular += radiance * skin_ambient_specular_fresnel(dot(s.sharp, s.view), s.gloss, s.reflectance);
+    (*sum).indirect_specular += radiance * skinshade_sky_share(s);
 }

@@ -22,8 +22,7 @@
         material.normals = skin_blend_normals(fetched, skinshade_blend());
         material.gain = skin_energy_gain(
             u_scatter.albedo.xyz, u_scatter.rms_radius_mm.xyz, per_mm * varyings.texcoord101);
-        material.albedo = physical_albedo
-            * skin_diffuse_share(dot(surface_normal, view), material.gloss, material.reflectance);
+        material.albedo = skinshade_body(material, physical_albedo);
     }
     $$ for kind, lights, title, count in [("point", "point", "Point", num_point_lights), ("spot", "spot", "Spot", num_spot_lights), ("dir", "directional", "Directional", num_dir_lights)]
     $$ if count > 0

@@ -22,8 +22,8 @@ __all__ = ["SkinMaterial"]
 
 Tier = Literal["scalar", "tensor"]
 TABLES: dict[Tier, tuple[str, ...]] = {
-    "scalar": ("sphere", "shadow"),
-    "tensor": ("ring", "transfer", "shadow"),
+    "scalar": ("sphere", "shadow", "coat"),
+    "tensor": ("ring", "transfer", "shadow", "coat"),
 }
 SHADER_TYPES = {"float4": "4xf4", "float2": "2xf4", "float": "f4"}
 
@@ -192,6 +192,8 @@ class SkinMaterial(pygfx.MeshPhongMaterial):  # type: ignore[misc]  # pygfx has 
         ):
             buffer.data[...] = np.frombuffer(data, dtype=buffer.data.dtype)[0]
             buffer.update_full()
+        self._store.skin_specular = self._skin.params.specular.value
+        self._store.skin_boundary = self._skin.boundary.value
 
 
 pygfx.renderers.wgpu.register_wgpu_render_function(pygfx.Mesh, SkinMaterial)(SkinShader)

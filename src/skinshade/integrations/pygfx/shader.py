@@ -20,6 +20,7 @@ from ..._core.errors import ArgumentError, BackendError
 from ..._core.generated import generated_text
 from ...shading.ambient import sh_basis
 from ...shading.shadow import ATTACHED_MM, DARK_BEYOND, SHADOW_BIAS_MM, SHADOW_TAPS
+from ...shading.specular import SHARP_LOBE_SHARE
 from .geometry import NUMBERS
 
 __all__ = ["SkinShader", "mesh_source"]
@@ -41,6 +42,7 @@ CONSTANTS: dict[str, Any] = {
     "skin_bias_mm": SHADOW_BIAS_MM + ATTACHED_MM,
     "skin_dark_beyond": DARK_BEYOND,
     "skin_filter_taps": SHADOW_TAPS[-1],
+    "skin_sharp_lobe_share": SHARP_LOBE_SHARE,
     "skin_band_0_basis": float(sh_basis(np.array([0.0, 0.0, 1.0]))[0]),
 }
 
@@ -96,6 +98,8 @@ class SkinShader(MeshShader):  # type: ignore[misc]  # pygfx has no types
         self["flat_shading"] = False
         self["skin_tier"] = material.tier
         self["skin_taps"] = material.deep_scatter_taps
+        self["skin_specular"] = material._store.skin_specular
+        self["skin_boundary"] = material._store.skin_boundary
         for name, value in CONSTANTS.items():
             self[name] = value
 

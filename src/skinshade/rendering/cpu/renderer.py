@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, ImageArray, IntArray, dot
 from ..._core.progress import Progress, silent
-from ...params.choices import TERM_VIEWS, AmbientForm, MaterialMap, ShadowFilter, View
+from ...params.choices import TERM_VIEWS, AmbientForm, MaterialMap, Shading, ShadowFilter, View
 from ...scene import Camera, Light, Scene
 from ...shading.compose import shade
-from ...shading.image_light import reflected_radiance
+from ...shading.lobes import reflected_sky
 from ...shading.pixel import Ambient, Incident, Surface
 from ...shading.shadow import DARK_BEYOND
 from ...shading.skin import Skin
-from ...shading.specular import reflected
 from ..backend import Renderer
 from ..prepare.parts import PreparedPart, opaque_count
 from ..prepare.rasterizer import Fragments, rasterize
@@ -140,7 +139,7 @@ class CpuRenderer(Renderer):
         """Return a request; its missing tables and filters are built here, before threads start."""
         fetches = {setting.normal_fetches for setting in settings}
         for index, part in enumerate(self.prepared.parts):
-            luts = {name for setting in settings for name in part.settings(setting).luts}
+            luts = {name for setting in settings for name in part.luts(part.settings(setting))}
             self._skins[index] = self._skins[index].including(sorted(luts), sorted(fetches))
         width = self.scene.material.params.shadow_filter_width_mm
         for kind in {setting.shadow_filter for setting in settings} - set(self._filters):
@@ -206,7 +205,11 @@ class CpuRenderer(Renderer):
             ]
             for taps in {setting.thickness_taps for setting in settings}
         }
-        ambient = self._ambient(columns, surface)
+        models = {skin.specular_model(setting.shading): setting.shading for setting in settings}
+        ambient = {
+            model: self._ambient(columns, surface, skin, shading)
+            for model, shading in models.items()
+        }
         colours = []
         for setting in settings:
             lights = [
@@ -217,21 +220,21 @@ class CpuRenderer(Renderer):
                     strict=True,
                 )
             ]
-            colours.append(
-                _colour(skin, surfaces[setting.normal_fetches], lights, ambient, setting)
-            )
+            own = ambient[skin.specular_model(setting.shading)]
+            colours.append(_colour(skin, surfaces[setting.normal_fetches], lights, own, setting))
         return colours
 
-    def _ambient(self, columns: Columns, surface: Surface) -> Ambient | None:
+    def _ambient(
+        self, columns: Columns, surface: Surface, skin: Skin, shading: Shading
+    ) -> Ambient | None:
         prepared = self.prepared
         if prepared.radiance_sh is None or prepared.preconvolved is None:
             return None
-        direction = reflected(surface.sharp, surface.view)
         return Ambient(
             prepared.radiance_sh,
             columns["visibility"],
             columns["bounced"],
-            reflected_radiance(prepared.preconvolved, direction, surface.gloss),
+            reflected_sky(skin, surface, prepared.preconvolved, shading),
             columns["through"],
             columns["sky_harmonics"],
         )

@@ -114,16 +114,17 @@ class PartResources:
         """Return the profile's numbers with the axes and weights that `settings` need."""
         if settings not in self._scatter_blocks:
             fetches = settings.normal_fetches
-            self._skin = self._skin.including(settings.luts, (fetches,))
+            self._skin = self._skin.including(self.part.luts(settings), (fetches,))
             data = self._skin.scatter_params(fetches).pack()
             self._scatter_blocks[settings] = buffer(self.shared.device, data, BufferUsage.UNIFORM)
         return self._scatter_blocks[settings]
 
     def lut(self, name: str, settings: RenderSettings) -> GPUTexture:
         """Return the texture of the table `name`, or the placeholder if `settings` do not read it."""
-        if name not in settings.luts:
+        names = self.part.luts(settings)
+        if name not in names:
             return self.shared.placeholder
-        self._skin = self._skin.including(settings.luts)
+        self._skin = self._skin.including(names)
         return self._luts.texture(name, self._skin)
 
     @cached_property

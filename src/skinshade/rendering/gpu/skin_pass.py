@@ -67,6 +67,8 @@ class SkinPass:
             "MULTISAMPLED": int(samples > 1),
             "MAPS": sum(kind.bit for kind in maps),
             "OPACITY_CUTOFF": round(255.0 * part.opacity_cutoff),
+            "SPECULAR": part.skin.specular_model(settings.shading).number,
+            "BOUNDARY": part.skin.boundary.number,
             "SPOT_LIGHTS": int(any(isinstance(light, SpotLight) for light in prepared.lights)),
         }
         return self._program.pipeline(

@@ -12,7 +12,7 @@ import numpy as np
 from ..._core.arrays import FloatArray, ImageArray, IntArray
 from ..._core.errors import MeshError
 from ...mesh import Mesh, mesh_uv_scale
-from ...params.choices import MaterialMap, Shading
+from ...params.choices import MaterialMap, Shading, SpecularModel
 from ...scene import Material, Part, Scene
 from ...scene.maps import scale_slopes
 from ...shading.skin import Skin
@@ -69,6 +69,11 @@ class PreparedPart:
     def settings(self, settings: RenderSettings) -> RenderSettings:
         """Return the settings for this part: parts that are not skin have no scattering."""
         return settings if self.is_skin else replace(settings, shading=Shading.LAMBERT)
+
+    def luts(self, settings: RenderSettings) -> tuple[str, ...]:
+        """Return the names of the lookup tables that this part reads under its own settings."""
+        model = self.skin.specular_model(settings.shading)
+        return settings.luts if model == SpecularModel.BLINN_PHONG else (*settings.luts, "coat")
 
 
 def arrange_parts(scene: Scene, skin: Skin) -> tuple[list[PreparedPart], IntArray]:

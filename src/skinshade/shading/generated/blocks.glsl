@@ -6,7 +6,7 @@ struct SkinBlock
     vec4 deep_scatter_tint; // 0..1. Colour of light that passes through the body, multiplied by the colour of its map.
     float scatter_scale; // 0.05..20. Factor on every length of the diffusion profile.
     float normal_strength; // 0..2. Factor on the slopes of the normal map.
-    float gloss; // 0..1. Gloss of the first specular lobe, whose power is 2^(13 gloss).
+    float gloss; // 0..1. Gloss of the first specular lobe, whose Blinn-Phong power is 2^(13 gloss).
     float reflectance; // 0..0.2. Specular reflectance at normal incidence; .028 for skin, whose refractive index is 1.4.
     float shadow_filter_width_mm; // 1..100 mm. Width of the wide shadow filter, across the light.
     float shadow_sharpening; // 1..100. Width of the wide shadow filter, divided by the width of the edge of a cast shadow.
@@ -30,5 +30,7 @@ struct ScatterBlock
     vec4 shadow_axes; // -1e+06..1e+06. Axes of the shadow table, rows 1/mm: low and 1/(high − low) of the columns, then of the rows.
     vec4 classic_axes; // -1e+06..1e+06. Axes of the curvature table of 2014, rows 1/mm: low and 1/(high − low) of the columns, then of the rows.
     vec4 classic_shadow_axes; // -1e+06..1e+06. Axes of the shadow table of 2014, rows 1/mm: low and 1/(high − low) of the columns, then of the rows.
+    vec4 coat_axes; // -1e+06..1e+06. Axes of the coat's table, columns √(N·V), rows gloss: low and 1/(high − low) of the columns, then of the rows.
     vec2 normal_sigmas_mm; // 0..10000 mm. Standard deviations of the narrow and the wide blur of the normal map.
+    float coat_reflectance; // 0..0.2. Reflectance at normal incidence that the coat's table was built for.
 };

@@ -6,7 +6,7 @@ struct SkinBlock
     deep_scatter_tint : vec4<f32>, // 0..1. Colour of light that passes through the body, multiplied by the colour of its map.
     scatter_scale : f32, // 0.05..20. Factor on every length of the diffusion profile.
     normal_strength : f32, // 0..2. Factor on the slopes of the normal map.
-    gloss : f32, // 0..1. Gloss of the first specular lobe, whose power is 2^(13 gloss).
+    gloss : f32, // 0..1. Gloss of the first specular lobe, whose Blinn-Phong power is 2^(13 gloss).
     reflectance : f32, // 0..0.2. Specular reflectance at normal incidence; .028 for skin, whose refractive index is 1.4.
     shadow_filter_width_mm : f32, // 1..100 mm. Width of the wide shadow filter, across the light.
     shadow_sharpening : f32, // 1..100. Width of the wide shadow filter, divided by the width of the edge of a cast shadow.
@@ -30,5 +30,7 @@ struct ScatterBlock
     shadow_axes : vec4<f32>, // -1e+06..1e+06. Axes of the shadow table, rows 1/mm: low and 1/(high − low) of the columns, then of the rows.
     classic_axes : vec4<f32>, // -1e+06..1e+06. Axes of the curvature table of 2014, rows 1/mm: low and 1/(high − low) of the columns, then of the rows.
     classic_shadow_axes : vec4<f32>, // -1e+06..1e+06. Axes of the shadow table of 2014, rows 1/mm: low and 1/(high − low) of the columns, then of the rows.
+    coat_axes : vec4<f32>, // -1e+06..1e+06. Axes of the coat's table, columns √(N·V), rows gloss: low and 1/(high − low) of the columns, then of the rows.
     normal_sigmas_mm : vec2<f32>, // 0..10000 mm. Standard deviations of the narrow and the wide blur of the normal map.
+    coat_reflectance : f32, // 0..0.2. Reflectance at normal incidence that the coat's table was built for.
 };

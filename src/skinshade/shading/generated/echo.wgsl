@@ -31,7 +31,9 @@ struct ScatterBlock_std140_0
     @align(16) shadow_axes_0 : vec4<f32>,
     @align(16) classic_axes_0 : vec4<f32>,
     @align(16) classic_shadow_axes_0 : vec4<f32>,
+    @align(16) coat_axes_0 : vec4<f32>,
     @align(16) normal_sigmas_mm_0 : vec2<f32>,
+    @align(8) coat_reflectance_0 : f32,
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
@@ -151,8 +153,13 @@ fn echo_ScatterBlock()
     echoed_0[i32(45)] = scatter_block_0.classic_shadow_axes_0.y;
     echoed_0[i32(46)] = scatter_block_0.classic_shadow_axes_0.z;
     echoed_0[i32(47)] = scatter_block_0.classic_shadow_axes_0.w;
-    echoed_0[i32(48)] = scatter_block_0.normal_sigmas_mm_0.x;
-    echoed_0[i32(49)] = scatter_block_0.normal_sigmas_mm_0.y;
+    echoed_0[i32(48)] = scatter_block_0.coat_axes_0.x;
+    echoed_0[i32(49)] = scatter_block_0.coat_axes_0.y;
+    echoed_0[i32(50)] = scatter_block_0.coat_axes_0.z;
+    echoed_0[i32(51)] = scatter_block_0.coat_axes_0.w;
+    echoed_0[i32(52)] = scatter_block_0.normal_sigmas_mm_0.x;
+    echoed_0[i32(53)] = scatter_block_0.normal_sigmas_mm_0.y;
+    echoed_0[i32(54)] = scatter_block_0.coat_reflectance_0;
     return;
 }
 

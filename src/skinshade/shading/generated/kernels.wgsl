@@ -298,6 +298,84 @@ fn run_energy_gain(@builtin(global_invocation_id) thread_10 : vec3<u32>)
     return;
 }
 
+fn skin_root_absorption_0( albedo_1 : vec3<f32>) -> vec3<f32>
+{
+    var bounded_0 : vec3<f32> = saturate(albedo_1);
+    var _S25 : vec3<f32> = vec3<f32>(1.0f);
+    var s_1 : vec3<f32> = vec3<f32>(6.0f) * (_S25 - bounded_0) / (vec3<f32>(7.0f) + sqrt(vec3<f32>(25.0f) + vec3<f32>(24.0f) * bounded_0));
+    return s_1 / (_S25 - s_1);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_root_absorption(@builtin(global_invocation_id) thread_11 : vec3<u32>)
+{
+    var start_11 : u32 = thread_11.x * u32(3);
+    var _S26 : u32 = start_11 + u32(1);
+    var _S27 : u32 = start_11 + u32(2);
+    var result_8 : vec3<f32> = skin_root_absorption_0(vec3<f32>(inputs_0[start_11], inputs_0[_S26], inputs_0[_S27]));
+    outputs_0[start_11] = result_8[i32(0)];
+    outputs_0[_S26] = result_8[i32(1)];
+    outputs_0[_S27] = result_8[i32(2)];
+    return;
+}
+
+fn skin_inner_cosine_0( cosine_0 : f32,  inverse_ior_0 : f32) -> f32
+{
+    return sqrt(max(1.0f - (1.0f - cosine_0 * cosine_0) * inverse_ior_0 * inverse_ior_0, 0.0f));
+}
+
+fn skin_mean_escape_0( slope_1 : vec3<f32>,  low_0 : f32,  high_0 : f32) -> vec3<f32>
+{
+    var _S28 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S28 + slope_1 * vec3<f32>((0.36391723155975342f * high_0 + 0.63608276844024658f * low_0))) / ((_S28 + slope_1 * vec3<f32>(low_0)) * (_S28 + slope_1 * vec3<f32>(high_0)));
+}
+
+fn skin_view_factor_0( albedo_2 : vec3<f32>,  n_dot_v_0 : f32,  reflectance_0 : f32) -> vec3<f32>
+{
+    var root_0 : f32 = sqrt(clamp(reflectance_0, 0.0f, 0.89999997615814209f));
+    var inverse_ior_1 : f32 = (1.0f - root_0) / (1.0f + root_0);
+    var slope_2 : vec3<f32> = vec3<f32>(2.0f) * skin_root_absorption_0(albedo_2);
+    var _S29 : vec3<f32> = vec3<f32>(1.0f);
+    return _S29 / ((_S29 + slope_2 * vec3<f32>(skin_inner_cosine_0(saturate(n_dot_v_0), inverse_ior_1))) * skin_mean_escape_0(slope_2, skin_inner_cosine_0(0.35505104064941406f, inverse_ior_1), skin_inner_cosine_0(0.84494894742965698f, inverse_ior_1)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_view_factor(@builtin(global_invocation_id) thread_12 : vec3<u32>)
+{
+    var _S30 : u32 = thread_12.x;
+    var start_12 : u32 = _S30 * u32(5);
+    var result_9 : vec3<f32> = skin_view_factor_0(vec3<f32>(inputs_0[start_12], inputs_0[start_12 + u32(1)], inputs_0[start_12 + u32(2)]), inputs_0[start_12 + u32(3)], inputs_0[start_12 + u32(4)]);
+    var _S31 : u32 = _S30 * u32(3);
+    outputs_0[_S31] = result_9[i32(0)];
+    outputs_0[_S31 + u32(1)] = result_9[i32(1)];
+    outputs_0[_S31 + u32(2)] = result_9[i32(2)];
+    return;
+}
+
+fn skin_closure_view_factor_0( albedo_3 : vec3<f32>,  n_dot_v_1 : f32) -> vec3<f32>
+{
+    var slope_3 : vec3<f32> = vec3<f32>(2.0f) * skin_root_absorption_0(albedo_3);
+    var diffuse_0 : vec3<f32> = skin_mean_escape_0(slope_3, 0.35505104064941406f, 0.84494894742965698f);
+    var _S32 : vec3<f32> = vec3<f32>(1.0f);
+    return (diffuse_0 + _S32 / (_S32 + slope_3 * vec3<f32>((0.12999999523162842f + 0.75f * saturate(n_dot_v_1))))) / (diffuse_0 + skin_mean_escape_0(slope_3, 0.39628827571868896f, 0.76371169090270996f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_closure_view_factor(@builtin(global_invocation_id) thread_13 : vec3<u32>)
+{
+    var _S33 : u32 = thread_13.x;
+    var start_13 : u32 = _S33 * u32(4);
+    var result_10 : vec3<f32> = skin_closure_view_factor_0(vec3<f32>(inputs_0[start_13], inputs_0[start_13 + u32(1)], inputs_0[start_13 + u32(2)]), inputs_0[start_13 + u32(3)]);
+    var _S34 : u32 = _S33 * u32(3);
+    outputs_0[_S34] = result_10[i32(0)];
+    outputs_0[_S34 + u32(1)] = result_10[i32(1)];
+    outputs_0[_S34 + u32(2)] = result_10[i32(2)];
+    return;
+}
+
 fn skin_smoothstep_0( p_0 : f32) -> f32
 {
     var q_0 : f32 = saturate(p_0);
@@ -306,18 +384,18 @@ fn skin_smoothstep_0( p_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_smoothstep(@builtin(global_invocation_id) thread_11 : vec3<u32>)
+fn run_smoothstep(@builtin(global_invocation_id) thread_14 : vec3<u32>)
 {
-    var _S25 : u32 = thread_11.x;
-    outputs_0[_S25] = skin_smoothstep_0(inputs_0[_S25]);
+    var _S35 : u32 = thread_14.x;
+    outputs_0[_S35] = skin_smoothstep_0(inputs_0[_S35]);
     return;
 }
 
 fn skin_light_coordinates_0( position_mm_0 : vec3<f32>,  view_0 : mat4x4<f32>,  projection_0 : mat4x4<f32>) -> vec4<f32>
 {
     var p_1 : vec4<f32> = vec4<f32>(position_mm_0, 1.0f);
-    var _S26 : f32 = dot(view_0[i32(2)], p_1);
-    var in_view_0 : vec4<f32> = vec4<f32>(dot(view_0[i32(0)], p_1), dot(view_0[i32(1)], p_1), _S26, 1.0f);
+    var _S36 : f32 = dot(view_0[i32(2)], p_1);
+    var in_view_0 : vec4<f32> = vec4<f32>(dot(view_0[i32(0)], p_1), dot(view_0[i32(1)], p_1), _S36, 1.0f);
     var w_0 : f32 = dot(projection_0[i32(3)], in_view_0);
     var w_1 : f32;
     if((abs(w_0)) < 9.99999971718068537e-10f)
@@ -328,21 +406,21 @@ fn skin_light_coordinates_0( position_mm_0 : vec3<f32>,  view_0 : mat4x4<f32>,  
     {
         w_1 = w_0;
     }
-    return vec4<f32>(0.5f + 0.5f * (dot(projection_0[i32(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection_0[i32(1)], in_view_0) / w_1), abs(_S26), w_1);
+    return vec4<f32>(0.5f + 0.5f * (dot(projection_0[i32(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection_0[i32(1)], in_view_0) / w_1), abs(_S36), w_1);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_light_coordinates(@builtin(global_invocation_id) thread_12 : vec3<u32>)
+fn run_light_coordinates(@builtin(global_invocation_id) thread_15 : vec3<u32>)
 {
-    var _S27 : u32 = thread_12.x;
-    var start_11 : u32 = _S27 * u32(35);
-    var result_8 : vec4<f32> = skin_light_coordinates_0(vec3<f32>(inputs_0[start_11], inputs_0[start_11 + u32(1)], inputs_0[start_11 + u32(2)]), mat4x4<f32>(inputs_0[start_11 + u32(3)], inputs_0[start_11 + u32(4)], inputs_0[start_11 + u32(5)], inputs_0[start_11 + u32(6)], inputs_0[start_11 + u32(7)], inputs_0[start_11 + u32(8)], inputs_0[start_11 + u32(9)], inputs_0[start_11 + u32(10)], inputs_0[start_11 + u32(11)], inputs_0[start_11 + u32(12)], inputs_0[start_11 + u32(13)], inputs_0[start_11 + u32(14)], inputs_0[start_11 + u32(15)], inputs_0[start_11 + u32(16)], inputs_0[start_11 + u32(17)], inputs_0[start_11 + u32(18)]), mat4x4<f32>(inputs_0[start_11 + u32(19)], inputs_0[start_11 + u32(20)], inputs_0[start_11 + u32(21)], inputs_0[start_11 + u32(22)], inputs_0[start_11 + u32(23)], inputs_0[start_11 + u32(24)], inputs_0[start_11 + u32(25)], inputs_0[start_11 + u32(26)], inputs_0[start_11 + u32(27)], inputs_0[start_11 + u32(28)], inputs_0[start_11 + u32(29)], inputs_0[start_11 + u32(30)], inputs_0[start_11 + u32(31)], inputs_0[start_11 + u32(32)], inputs_0[start_11 + u32(33)], inputs_0[start_11 + u32(34)]));
-    var _S28 : u32 = _S27 * u32(4);
-    outputs_0[_S28] = result_8[i32(0)];
-    outputs_0[_S28 + u32(1)] = result_8[i32(1)];
-    outputs_0[_S28 + u32(2)] = result_8[i32(2)];
-    outputs_0[_S28 + u32(3)] = result_8[i32(3)];
+    var _S37 : u32 = thread_15.x;
+    var start_14 : u32 = _S37 * u32(35);
+    var result_11 : vec4<f32> = skin_light_coordinates_0(vec3<f32>(inputs_0[start_14], inputs_0[start_14 + u32(1)], inputs_0[start_14 + u32(2)]), mat4x4<f32>(inputs_0[start_14 + u32(3)], inputs_0[start_14 + u32(4)], inputs_0[start_14 + u32(5)], inputs_0[start_14 + u32(6)], inputs_0[start_14 + u32(7)], inputs_0[start_14 + u32(8)], inputs_0[start_14 + u32(9)], inputs_0[start_14 + u32(10)], inputs_0[start_14 + u32(11)], inputs_0[start_14 + u32(12)], inputs_0[start_14 + u32(13)], inputs_0[start_14 + u32(14)], inputs_0[start_14 + u32(15)], inputs_0[start_14 + u32(16)], inputs_0[start_14 + u32(17)], inputs_0[start_14 + u32(18)]), mat4x4<f32>(inputs_0[start_14 + u32(19)], inputs_0[start_14 + u32(20)], inputs_0[start_14 + u32(21)], inputs_0[start_14 + u32(22)], inputs_0[start_14 + u32(23)], inputs_0[start_14 + u32(24)], inputs_0[start_14 + u32(25)], inputs_0[start_14 + u32(26)], inputs_0[start_14 + u32(27)], inputs_0[start_14 + u32(28)], inputs_0[start_14 + u32(29)], inputs_0[start_14 + u32(30)], inputs_0[start_14 + u32(31)], inputs_0[start_14 + u32(32)], inputs_0[start_14 + u32(33)], inputs_0[start_14 + u32(34)]));
+    var _S38 : u32 = _S37 * u32(4);
+    outputs_0[_S38] = result_11[i32(0)];
+    outputs_0[_S38 + u32(1)] = result_11[i32(1)];
+    outputs_0[_S38 + u32(2)] = result_11[i32(2)];
+    outputs_0[_S38 + u32(3)] = result_11[i32(3)];
     return;
 }
 
@@ -353,21 +431,21 @@ fn skin_unit_vectors_0( v_1 : vec3<f32>) -> vec3<f32>
 
 fn skin_shadow_receiver_0( position_mm_1 : vec3<f32>,  normal_1 : vec3<f32>,  to_light_0 : vec3<f32>,  curvature_per_mm_3 : f32) -> vec3<f32>
 {
-    var cosine_0 : f32 = dot(normal_1, to_light_0);
-    return position_mm_1 + skin_unit_vectors_0(to_light_0 - normal_1 * vec3<f32>(cosine_0)) * vec3<f32>(min(max(- cosine_0, 0.0f) / max(curvature_per_mm_3, 0.00100000004749745f), 8.0f));
+    var cosine_1 : f32 = dot(normal_1, to_light_0);
+    return position_mm_1 + skin_unit_vectors_0(to_light_0 - normal_1 * vec3<f32>(cosine_1)) * vec3<f32>(min(max(- cosine_1, 0.0f) / max(curvature_per_mm_3, 0.00100000004749745f), 8.0f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_shadow_receiver(@builtin(global_invocation_id) thread_13 : vec3<u32>)
+fn run_shadow_receiver(@builtin(global_invocation_id) thread_16 : vec3<u32>)
 {
-    var _S29 : u32 = thread_13.x;
-    var start_12 : u32 = _S29 * u32(10);
-    var result_9 : vec3<f32> = skin_shadow_receiver_0(vec3<f32>(inputs_0[start_12], inputs_0[start_12 + u32(1)], inputs_0[start_12 + u32(2)]), vec3<f32>(inputs_0[start_12 + u32(3)], inputs_0[start_12 + u32(4)], inputs_0[start_12 + u32(5)]), vec3<f32>(inputs_0[start_12 + u32(6)], inputs_0[start_12 + u32(7)], inputs_0[start_12 + u32(8)]), inputs_0[start_12 + u32(9)]);
-    var _S30 : u32 = _S29 * u32(3);
-    outputs_0[_S30] = result_9[i32(0)];
-    outputs_0[_S30 + u32(1)] = result_9[i32(1)];
-    outputs_0[_S30 + u32(2)] = result_9[i32(2)];
+    var _S39 : u32 = thread_16.x;
+    var start_15 : u32 = _S39 * u32(10);
+    var result_12 : vec3<f32> = skin_shadow_receiver_0(vec3<f32>(inputs_0[start_15], inputs_0[start_15 + u32(1)], inputs_0[start_15 + u32(2)]), vec3<f32>(inputs_0[start_15 + u32(3)], inputs_0[start_15 + u32(4)], inputs_0[start_15 + u32(5)]), vec3<f32>(inputs_0[start_15 + u32(6)], inputs_0[start_15 + u32(7)], inputs_0[start_15 + u32(8)]), inputs_0[start_15 + u32(9)]);
+    var _S40 : u32 = _S39 * u32(3);
+    outputs_0[_S40] = result_12[i32(0)];
+    outputs_0[_S40 + u32(1)] = result_12[i32(1)];
+    outputs_0[_S40 + u32(2)] = result_12[i32(2)];
     return;
 }
 
@@ -384,20 +462,20 @@ fn skin_shadow_slope_0( normal_2 : vec3<f32>,  to_light_1 : vec3<f32>,  curvatur
     {
         handedness_0 = 1.0f;
     }
-    var slope_1 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right_0), - dot(plane_normal_0, light_up_0)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
-    return slope_1 / vec2<f32>(max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm_4 / 0.03999999910593033f)), 1.0f));
+    var slope_4 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right_0), - dot(plane_normal_0, light_up_0)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return slope_4 / vec2<f32>(max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm_4 / 0.03999999910593033f)), 1.0f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_shadow_slope(@builtin(global_invocation_id) thread_14 : vec3<u32>)
+fn run_shadow_slope(@builtin(global_invocation_id) thread_17 : vec3<u32>)
 {
-    var _S31 : u32 = thread_14.x;
-    var start_13 : u32 = _S31 * u32(13);
-    var result_10 : vec2<f32> = skin_shadow_slope_0(vec3<f32>(inputs_0[start_13], inputs_0[start_13 + u32(1)], inputs_0[start_13 + u32(2)]), vec3<f32>(inputs_0[start_13 + u32(3)], inputs_0[start_13 + u32(4)], inputs_0[start_13 + u32(5)]), inputs_0[start_13 + u32(6)], vec3<f32>(inputs_0[start_13 + u32(7)], inputs_0[start_13 + u32(8)], inputs_0[start_13 + u32(9)]), vec3<f32>(inputs_0[start_13 + u32(10)], inputs_0[start_13 + u32(11)], inputs_0[start_13 + u32(12)]));
-    var _S32 : u32 = _S31 * u32(2);
-    outputs_0[_S32] = result_10[i32(0)];
-    outputs_0[_S32 + u32(1)] = result_10[i32(1)];
+    var _S41 : u32 = thread_17.x;
+    var start_16 : u32 = _S41 * u32(13);
+    var result_13 : vec2<f32> = skin_shadow_slope_0(vec3<f32>(inputs_0[start_16], inputs_0[start_16 + u32(1)], inputs_0[start_16 + u32(2)]), vec3<f32>(inputs_0[start_16 + u32(3)], inputs_0[start_16 + u32(4)], inputs_0[start_16 + u32(5)]), inputs_0[start_16 + u32(6)], vec3<f32>(inputs_0[start_16 + u32(7)], inputs_0[start_16 + u32(8)], inputs_0[start_16 + u32(9)]), vec3<f32>(inputs_0[start_16 + u32(10)], inputs_0[start_16 + u32(11)], inputs_0[start_16 + u32(12)]));
+    var _S42 : u32 = _S41 * u32(2);
+    outputs_0[_S42] = result_13[i32(0)];
+    outputs_0[_S42 + u32(1)] = result_13[i32(1)];
     return;
 }
 
@@ -408,11 +486,11 @@ fn skin_shadow_occluder_depth_0( depth_mm_0 : f32,  faces_light_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_shadow_occluder_depth(@builtin(global_invocation_id) thread_15 : vec3<u32>)
+fn run_shadow_occluder_depth(@builtin(global_invocation_id) thread_18 : vec3<u32>)
 {
-    var _S33 : u32 = thread_15.x;
-    var start_14 : u32 = _S33 * u32(2);
-    outputs_0[_S33] = skin_shadow_occluder_depth_0(inputs_0[start_14], inputs_0[start_14 + u32(1)]);
+    var _S43 : u32 = thread_18.x;
+    var start_17 : u32 = _S43 * u32(2);
+    outputs_0[_S43] = skin_shadow_occluder_depth_0(inputs_0[start_17], inputs_0[start_17 + u32(1)]);
     return;
 }
 
@@ -423,16 +501,16 @@ fn skin_linear_depth_0( depth_0 : f32,  projection_1 : mat4x4<f32>) -> f32
 
 fn skin_shadow_compare_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : sampler,  map_extent_1 : vec2<f32>,  projection_2 : mat4x4<f32>,  uv_0 : vec2<f32>,  receiver_mm_0 : f32) -> f32
 {
-    var _S34 : vec2<f32> = vec2<f32>(0.5f);
-    var position_0 : vec2<f32> = uv_0 * map_extent_1 - _S34;
+    var _S44 : vec2<f32> = vec2<f32>(0.5f);
+    var position_0 : vec2<f32> = uv_0 * map_extent_1 - _S44;
     var corner_0 : vec2<f32> = floor(position_0);
     var weights_1 : vec2<f32> = position_0 - corner_0;
-    var _S35 : vec2<f32> = vec2<f32>(0.0f);
-    var _S36 : vec2<f32> = vec2<f32>(1.0f);
-    var _S37 : vec2<f32> = map_extent_1 - _S36;
-    var low_0 : vec2<f32> = (clamp(corner_0, _S35, _S37) + _S34) / map_extent_1;
-    var high_0 : vec2<f32> = (clamp(corner_0 + _S36, _S35, _S37) + _S34) / map_extent_1;
-    var lit_0 : vec4<f32> = step(vec4<f32>(receiver_mm_0, receiver_mm_0, receiver_mm_0, receiver_mm_0), vec4<f32>(skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (low_0), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (vec2<f32>(high_0.x, low_0.y)), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (vec2<f32>(low_0.x, high_0.y)), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (high_0), (0.0f))).x, projection_2)));
+    var _S45 : vec2<f32> = vec2<f32>(0.0f);
+    var _S46 : vec2<f32> = vec2<f32>(1.0f);
+    var _S47 : vec2<f32> = map_extent_1 - _S46;
+    var low_1 : vec2<f32> = (clamp(corner_0, _S45, _S47) + _S44) / map_extent_1;
+    var high_1 : vec2<f32> = (clamp(corner_0 + _S46, _S45, _S47) + _S44) / map_extent_1;
+    var lit_0 : vec4<f32> = step(vec4<f32>(receiver_mm_0, receiver_mm_0, receiver_mm_0, receiver_mm_0), vec4<f32>(skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (low_1), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (vec2<f32>(high_1.x, low_1.y)), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (vec2<f32>(low_1.x, high_1.y)), (0.0f))).x, projection_2), skin_linear_depth_0((textureSampleLevel((depth_map_1), (depth_map_sampler_1), (high_1), (0.0f))).x, projection_2)));
     var rows_1 : vec2<f32> = mix(lit_0.xz, lit_0.yw, vec2<f32>(weights_1.x));
     return mix(rows_1.x, rows_1.y, weights_1.y);
 }
@@ -440,8 +518,8 @@ fn skin_shadow_compare_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : 
 fn skin_shadow_filter_0( depth_map_2 : texture_2d<f32>,  depth_map_sampler_2 : sampler,  map_extent_2 : vec2<f32>,  view_1 : mat4x4<f32>,  projection_3 : mat4x4<f32>,  position_mm_2 : vec3<f32>,  normal_3 : vec3<f32>,  to_light_2 : vec3<f32>,  curvature_per_mm_5 : f32,  filter_width_mm_0 : f32,  bias_mm_0 : f32,  taps_0 : i32) -> f32
 {
     var coordinates_0 : vec4<f32> = skin_light_coordinates_0(skin_shadow_receiver_0(position_mm_2, normal_3, to_light_2, curvature_per_mm_5), view_1, projection_3);
-    var _S38 : vec2<f32> = skin_shadow_slope_0(normal_3, to_light_2, curvature_per_mm_5, view_1[i32(0)].xyz, view_1[i32(1)].xyz);
-    var _S39 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection_3[i32(0)].x), abs(projection_3[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
+    var _S48 : vec2<f32> = skin_shadow_slope_0(normal_3, to_light_2, curvature_per_mm_5, view_1[i32(0)].xyz, view_1[i32(1)].xyz);
+    var _S49 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection_3[i32(0)].x), abs(projection_3[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
     var tap_0 : i32 = i32(0);
     var total_1 : f32 = 0.0f;
     for(;;)
@@ -463,7 +541,7 @@ fn skin_shadow_filter_0( depth_map_2 : texture_2d<f32>,  depth_map_sampler_2 : s
             disk_0 = SKIN_SHADOW_DISK_48_0[min(tap_0, i32(47))];
         }
         var across_mm_0 : vec2<f32> = vec2<f32>((0.5f * filter_width_mm_0)) * disk_0;
-        var total_2 : f32 = total_1 + skin_shadow_compare_0(depth_map_2, depth_map_sampler_2, map_extent_2, projection_3, coordinates_0.xy + across_mm_0 * _S39, coordinates_0.z - bias_mm_0 + dot(_S38, across_mm_0));
+        var total_2 : f32 = total_1 + skin_shadow_compare_0(depth_map_2, depth_map_sampler_2, map_extent_2, projection_3, coordinates_0.xy + across_mm_0 * _S49, coordinates_0.z - bias_mm_0 + dot(_S48, across_mm_0));
         tap_0 = tap_0 + i32(1);
         total_1 = total_2;
     }
@@ -472,11 +550,11 @@ fn skin_shadow_filter_0( depth_map_2 : texture_2d<f32>,  depth_map_sampler_2 : s
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_shadow_filter(@builtin(global_invocation_id) thread_16 : vec3<u32>)
+fn run_shadow_filter(@builtin(global_invocation_id) thread_19 : vec3<u32>)
 {
-    var _S40 : u32 = thread_16.x;
-    var start_15 : u32 = _S40 * u32(47);
-    outputs_0[_S40] = skin_shadow_filter_0(depth_map_0, depth_map_sampler_0, vec2<f32>(inputs_0[start_15], inputs_0[start_15 + u32(1)]), mat4x4<f32>(inputs_0[start_15 + u32(2)], inputs_0[start_15 + u32(3)], inputs_0[start_15 + u32(4)], inputs_0[start_15 + u32(5)], inputs_0[start_15 + u32(6)], inputs_0[start_15 + u32(7)], inputs_0[start_15 + u32(8)], inputs_0[start_15 + u32(9)], inputs_0[start_15 + u32(10)], inputs_0[start_15 + u32(11)], inputs_0[start_15 + u32(12)], inputs_0[start_15 + u32(13)], inputs_0[start_15 + u32(14)], inputs_0[start_15 + u32(15)], inputs_0[start_15 + u32(16)], inputs_0[start_15 + u32(17)]), mat4x4<f32>(inputs_0[start_15 + u32(18)], inputs_0[start_15 + u32(19)], inputs_0[start_15 + u32(20)], inputs_0[start_15 + u32(21)], inputs_0[start_15 + u32(22)], inputs_0[start_15 + u32(23)], inputs_0[start_15 + u32(24)], inputs_0[start_15 + u32(25)], inputs_0[start_15 + u32(26)], inputs_0[start_15 + u32(27)], inputs_0[start_15 + u32(28)], inputs_0[start_15 + u32(29)], inputs_0[start_15 + u32(30)], inputs_0[start_15 + u32(31)], inputs_0[start_15 + u32(32)], inputs_0[start_15 + u32(33)]), vec3<f32>(inputs_0[start_15 + u32(34)], inputs_0[start_15 + u32(35)], inputs_0[start_15 + u32(36)]), vec3<f32>(inputs_0[start_15 + u32(37)], inputs_0[start_15 + u32(38)], inputs_0[start_15 + u32(39)]), vec3<f32>(inputs_0[start_15 + u32(40)], inputs_0[start_15 + u32(41)], inputs_0[start_15 + u32(42)]), inputs_0[start_15 + u32(43)], inputs_0[start_15 + u32(44)], inputs_0[start_15 + u32(45)], i32(inputs_0[start_15 + u32(46)]));
+    var _S50 : u32 = thread_19.x;
+    var start_18 : u32 = _S50 * u32(47);
+    outputs_0[_S50] = skin_shadow_filter_0(depth_map_0, depth_map_sampler_0, vec2<f32>(inputs_0[start_18], inputs_0[start_18 + u32(1)]), mat4x4<f32>(inputs_0[start_18 + u32(2)], inputs_0[start_18 + u32(3)], inputs_0[start_18 + u32(4)], inputs_0[start_18 + u32(5)], inputs_0[start_18 + u32(6)], inputs_0[start_18 + u32(7)], inputs_0[start_18 + u32(8)], inputs_0[start_18 + u32(9)], inputs_0[start_18 + u32(10)], inputs_0[start_18 + u32(11)], inputs_0[start_18 + u32(12)], inputs_0[start_18 + u32(13)], inputs_0[start_18 + u32(14)], inputs_0[start_18 + u32(15)], inputs_0[start_18 + u32(16)], inputs_0[start_18 + u32(17)]), mat4x4<f32>(inputs_0[start_18 + u32(18)], inputs_0[start_18 + u32(19)], inputs_0[start_18 + u32(20)], inputs_0[start_18 + u32(21)], inputs_0[start_18 + u32(22)], inputs_0[start_18 + u32(23)], inputs_0[start_18 + u32(24)], inputs_0[start_18 + u32(25)], inputs_0[start_18 + u32(26)], inputs_0[start_18 + u32(27)], inputs_0[start_18 + u32(28)], inputs_0[start_18 + u32(29)], inputs_0[start_18 + u32(30)], inputs_0[start_18 + u32(31)], inputs_0[start_18 + u32(32)], inputs_0[start_18 + u32(33)]), vec3<f32>(inputs_0[start_18 + u32(34)], inputs_0[start_18 + u32(35)], inputs_0[start_18 + u32(36)]), vec3<f32>(inputs_0[start_18 + u32(37)], inputs_0[start_18 + u32(38)], inputs_0[start_18 + u32(39)]), vec3<f32>(inputs_0[start_18 + u32(40)], inputs_0[start_18 + u32(41)], inputs_0[start_18 + u32(42)]), inputs_0[start_18 + u32(43)], inputs_0[start_18 + u32(44)], inputs_0[start_18 + u32(45)], i32(inputs_0[start_18 + u32(46)]));
     return;
 }
 
@@ -487,15 +565,15 @@ fn skin_diffused_shadow_0( lut_5 : texture_2d<f32>,  lut_sampler_5 : sampler,  l
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_diffused_shadow(@builtin(global_invocation_id) thread_17 : vec3<u32>)
+fn run_diffused_shadow(@builtin(global_invocation_id) thread_20 : vec3<u32>)
 {
-    var _S41 : u32 = thread_17.x;
-    var start_16 : u32 = _S41 * u32(7);
-    var result_11 : vec3<f32> = skin_diffused_shadow_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_16], inputs_0[start_16 + u32(1)], inputs_0[start_16 + u32(2)], inputs_0[start_16 + u32(3)]), inputs_0[start_16 + u32(4)], inputs_0[start_16 + u32(5)], inputs_0[start_16 + u32(6)]);
-    var _S42 : u32 = _S41 * u32(3);
-    outputs_0[_S42] = result_11[i32(0)];
-    outputs_0[_S42 + u32(1)] = result_11[i32(1)];
-    outputs_0[_S42 + u32(2)] = result_11[i32(2)];
+    var _S51 : u32 = thread_20.x;
+    var start_19 : u32 = _S51 * u32(7);
+    var result_14 : vec3<f32> = skin_diffused_shadow_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_19], inputs_0[start_19 + u32(1)], inputs_0[start_19 + u32(2)], inputs_0[start_19 + u32(3)]), inputs_0[start_19 + u32(4)], inputs_0[start_19 + u32(5)], inputs_0[start_19 + u32(6)]);
+    var _S52 : u32 = _S51 * u32(3);
+    outputs_0[_S52] = result_14[i32(0)];
+    outputs_0[_S52 + u32(1)] = result_14[i32(1)];
+    outputs_0[_S52 + u32(2)] = result_14[i32(2)];
     return;
 }
 
@@ -506,37 +584,37 @@ fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_sharpened_shadow(@builtin(global_invocation_id) thread_18 : vec3<u32>)
+fn run_sharpened_shadow(@builtin(global_invocation_id) thread_21 : vec3<u32>)
 {
-    var _S43 : u32 = thread_18.x;
-    var start_17 : u32 = _S43 * u32(2);
-    outputs_0[_S43] = skin_sharpened_shadow_0(inputs_0[start_17], inputs_0[start_17 + u32(1)]);
+    var _S53 : u32 = thread_21.x;
+    var start_20 : u32 = _S53 * u32(2);
+    outputs_0[_S53] = skin_sharpened_shadow_0(inputs_0[start_20], inputs_0[start_20 + u32(1)]);
     return;
 }
 
 fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32,  depth_mm_1 : f32) -> f32
 {
-    var _S44 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
-    var _S45 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
-    return _S44 / (_S44 + _S45 * _S45);
+    var _S54 : f32 = max(mean_square_depth_mm2_0 - mean_depth_mm_0 * mean_depth_mm_0, 0.00999999977648258f);
+    var _S55 : f32 = max(depth_mm_1 - mean_depth_mm_0, 0.0f);
+    return _S54 / (_S54 + _S55 * _S55);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_variance_shadow(@builtin(global_invocation_id) thread_19 : vec3<u32>)
+fn run_variance_shadow(@builtin(global_invocation_id) thread_22 : vec3<u32>)
 {
-    var _S46 : u32 = thread_19.x;
-    var start_18 : u32 = _S46 * u32(3);
-    outputs_0[_S46] = skin_variance_shadow_0(inputs_0[start_18], inputs_0[start_18 + u32(1)], inputs_0[start_18 + u32(2)]);
+    var _S56 : u32 = thread_22.x;
+    var start_21 : u32 = _S56 * u32(3);
+    outputs_0[_S56] = skin_variance_shadow_0(inputs_0[start_21], inputs_0[start_21 + u32(1)], inputs_0[start_21 + u32(2)]);
     return;
 }
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
 {
-    var _S47 : f32 = d_0.y;
-    var _S48 : f32 = d_0.z;
-    var _S49 : f32 = d_0.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S47 + sh_0[i32(0)].z * _S48 + sh_0[i32(1)].x * _S49), 1.09254848957061768f * (sh_0[i32(1)].y * _S49 * _S47 + sh_0[i32(1)].z * _S47 * _S48 + sh_0[i32(2)].y * _S49 * _S48) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S48 * _S48 - dot(d_0, d_0)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S49 * _S49 - _S47 * _S47));
+    var _S57 : f32 = d_0.y;
+    var _S58 : f32 = d_0.z;
+    var _S59 : f32 = d_0.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S57 + sh_0[i32(0)].z * _S58 + sh_0[i32(1)].x * _S59), 1.09254848957061768f * (sh_0[i32(1)].y * _S59 * _S57 + sh_0[i32(1)].z * _S57 * _S58 + sh_0[i32(2)].y * _S59 * _S58) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S58 * _S58 - dot(d_0, d_0)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S59 * _S59 - _S57 * _S57));
 }
 
 fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
@@ -552,15 +630,15 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_irradiance(@builtin(global_invocation_id) thread_20 : vec3<u32>)
+fn run_ambient_irradiance(@builtin(global_invocation_id) thread_23 : vec3<u32>)
 {
-    var _S50 : u32 = thread_20.x;
-    var start_19 : u32 = _S50 * u32(45);
-    var result_12 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[start_19], inputs_0[start_19 + u32(1)], inputs_0[start_19 + u32(2)], inputs_0[start_19 + u32(3)], inputs_0[start_19 + u32(4)], inputs_0[start_19 + u32(5)], inputs_0[start_19 + u32(6)], inputs_0[start_19 + u32(7)], inputs_0[start_19 + u32(8)]), mat3x3<f32>(inputs_0[start_19 + u32(9)], inputs_0[start_19 + u32(10)], inputs_0[start_19 + u32(11)], inputs_0[start_19 + u32(12)], inputs_0[start_19 + u32(13)], inputs_0[start_19 + u32(14)], inputs_0[start_19 + u32(15)], inputs_0[start_19 + u32(16)], inputs_0[start_19 + u32(17)]), mat3x3<f32>(inputs_0[start_19 + u32(18)], inputs_0[start_19 + u32(19)], inputs_0[start_19 + u32(20)], inputs_0[start_19 + u32(21)], inputs_0[start_19 + u32(22)], inputs_0[start_19 + u32(23)], inputs_0[start_19 + u32(24)], inputs_0[start_19 + u32(25)], inputs_0[start_19 + u32(26)]), mat3x3<f32>(inputs_0[start_19 + u32(27)], inputs_0[start_19 + u32(28)], inputs_0[start_19 + u32(29)], inputs_0[start_19 + u32(30)], inputs_0[start_19 + u32(31)], inputs_0[start_19 + u32(32)], inputs_0[start_19 + u32(33)], inputs_0[start_19 + u32(34)], inputs_0[start_19 + u32(35)]), mat3x3<f32>(inputs_0[start_19 + u32(36)], inputs_0[start_19 + u32(37)], inputs_0[start_19 + u32(38)], inputs_0[start_19 + u32(39)], inputs_0[start_19 + u32(40)], inputs_0[start_19 + u32(41)], inputs_0[start_19 + u32(42)], inputs_0[start_19 + u32(43)], inputs_0[start_19 + u32(44)]));
-    var _S51 : u32 = _S50 * u32(3);
-    outputs_0[_S51] = result_12[i32(0)];
-    outputs_0[_S51 + u32(1)] = result_12[i32(1)];
-    outputs_0[_S51 + u32(2)] = result_12[i32(2)];
+    var _S60 : u32 = thread_23.x;
+    var start_22 : u32 = _S60 * u32(45);
+    var result_15 : vec3<f32> = skin_ambient_irradiance_0(mat3x3<f32>(inputs_0[start_22], inputs_0[start_22 + u32(1)], inputs_0[start_22 + u32(2)], inputs_0[start_22 + u32(3)], inputs_0[start_22 + u32(4)], inputs_0[start_22 + u32(5)], inputs_0[start_22 + u32(6)], inputs_0[start_22 + u32(7)], inputs_0[start_22 + u32(8)]), mat3x3<f32>(inputs_0[start_22 + u32(9)], inputs_0[start_22 + u32(10)], inputs_0[start_22 + u32(11)], inputs_0[start_22 + u32(12)], inputs_0[start_22 + u32(13)], inputs_0[start_22 + u32(14)], inputs_0[start_22 + u32(15)], inputs_0[start_22 + u32(16)], inputs_0[start_22 + u32(17)]), mat3x3<f32>(inputs_0[start_22 + u32(18)], inputs_0[start_22 + u32(19)], inputs_0[start_22 + u32(20)], inputs_0[start_22 + u32(21)], inputs_0[start_22 + u32(22)], inputs_0[start_22 + u32(23)], inputs_0[start_22 + u32(24)], inputs_0[start_22 + u32(25)], inputs_0[start_22 + u32(26)]), mat3x3<f32>(inputs_0[start_22 + u32(27)], inputs_0[start_22 + u32(28)], inputs_0[start_22 + u32(29)], inputs_0[start_22 + u32(30)], inputs_0[start_22 + u32(31)], inputs_0[start_22 + u32(32)], inputs_0[start_22 + u32(33)], inputs_0[start_22 + u32(34)], inputs_0[start_22 + u32(35)]), mat3x3<f32>(inputs_0[start_22 + u32(36)], inputs_0[start_22 + u32(37)], inputs_0[start_22 + u32(38)], inputs_0[start_22 + u32(39)], inputs_0[start_22 + u32(40)], inputs_0[start_22 + u32(41)], inputs_0[start_22 + u32(42)], inputs_0[start_22 + u32(43)], inputs_0[start_22 + u32(44)]));
+    var _S61 : u32 = _S60 * u32(3);
+    outputs_0[_S61] = result_15[i32(0)];
+    outputs_0[_S61 + u32(1)] = result_15[i32(1)];
+    outputs_0[_S61 + u32(2)] = result_15[i32(2)];
     return;
 }
 
@@ -571,27 +649,27 @@ fn skin_ambient_normals_0( normals_6 : mat3x3<f32>) -> mat3x3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_normals(@builtin(global_invocation_id) thread_21 : vec3<u32>)
+fn run_ambient_normals(@builtin(global_invocation_id) thread_24 : vec3<u32>)
 {
-    var start_20 : u32 = thread_21.x * u32(9);
-    var _S52 : u32 = start_20 + u32(1);
-    var _S53 : u32 = start_20 + u32(2);
-    var _S54 : u32 = start_20 + u32(3);
-    var _S55 : u32 = start_20 + u32(4);
-    var _S56 : u32 = start_20 + u32(5);
-    var _S57 : u32 = start_20 + u32(6);
-    var _S58 : u32 = start_20 + u32(7);
-    var _S59 : u32 = start_20 + u32(8);
-    var result_13 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[start_20], inputs_0[_S52], inputs_0[_S53], inputs_0[_S54], inputs_0[_S55], inputs_0[_S56], inputs_0[_S57], inputs_0[_S58], inputs_0[_S59]));
-    outputs_0[start_20] = result_13[i32(0)][i32(0)];
-    outputs_0[_S52] = result_13[i32(0)][i32(1)];
-    outputs_0[_S53] = result_13[i32(0)][i32(2)];
-    outputs_0[_S54] = result_13[i32(1)][i32(0)];
-    outputs_0[_S55] = result_13[i32(1)][i32(1)];
-    outputs_0[_S56] = result_13[i32(1)][i32(2)];
-    outputs_0[_S57] = result_13[i32(2)][i32(0)];
-    outputs_0[_S58] = result_13[i32(2)][i32(1)];
-    outputs_0[_S59] = result_13[i32(2)][i32(2)];
+    var start_23 : u32 = thread_24.x * u32(9);
+    var _S62 : u32 = start_23 + u32(1);
+    var _S63 : u32 = start_23 + u32(2);
+    var _S64 : u32 = start_23 + u32(3);
+    var _S65 : u32 = start_23 + u32(4);
+    var _S66 : u32 = start_23 + u32(5);
+    var _S67 : u32 = start_23 + u32(6);
+    var _S68 : u32 = start_23 + u32(7);
+    var _S69 : u32 = start_23 + u32(8);
+    var result_16 : mat3x3<f32> = skin_ambient_normals_0(mat3x3<f32>(inputs_0[start_23], inputs_0[_S62], inputs_0[_S63], inputs_0[_S64], inputs_0[_S65], inputs_0[_S66], inputs_0[_S67], inputs_0[_S68], inputs_0[_S69]));
+    outputs_0[start_23] = result_16[i32(0)][i32(0)];
+    outputs_0[_S62] = result_16[i32(0)][i32(1)];
+    outputs_0[_S63] = result_16[i32(0)][i32(2)];
+    outputs_0[_S64] = result_16[i32(1)][i32(0)];
+    outputs_0[_S65] = result_16[i32(1)][i32(1)];
+    outputs_0[_S66] = result_16[i32(1)][i32(2)];
+    outputs_0[_S67] = result_16[i32(2)][i32(0)];
+    outputs_0[_S68] = result_16[i32(2)][i32(1)];
+    outputs_0[_S69] = result_16[i32(2)][i32(2)];
     return;
 }
 
@@ -602,34 +680,34 @@ fn skin_ambient_of_three_0( red_0 : vec3<f32>,  green_0 : vec3<f32>,  blue_0 : v
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_of_three(@builtin(global_invocation_id) thread_22 : vec3<u32>)
+fn run_ambient_of_three(@builtin(global_invocation_id) thread_25 : vec3<u32>)
 {
-    var _S60 : u32 = thread_22.x;
-    var start_21 : u32 = _S60 * u32(9);
-    var result_14 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[start_21], inputs_0[start_21 + u32(1)], inputs_0[start_21 + u32(2)]), vec3<f32>(inputs_0[start_21 + u32(3)], inputs_0[start_21 + u32(4)], inputs_0[start_21 + u32(5)]), vec3<f32>(inputs_0[start_21 + u32(6)], inputs_0[start_21 + u32(7)], inputs_0[start_21 + u32(8)]));
-    var _S61 : u32 = _S60 * u32(3);
-    outputs_0[_S61] = result_14[i32(0)];
-    outputs_0[_S61 + u32(1)] = result_14[i32(1)];
-    outputs_0[_S61 + u32(2)] = result_14[i32(2)];
+    var _S70 : u32 = thread_25.x;
+    var start_24 : u32 = _S70 * u32(9);
+    var result_17 : vec3<f32> = skin_ambient_of_three_0(vec3<f32>(inputs_0[start_24], inputs_0[start_24 + u32(1)], inputs_0[start_24 + u32(2)]), vec3<f32>(inputs_0[start_24 + u32(3)], inputs_0[start_24 + u32(4)], inputs_0[start_24 + u32(5)]), vec3<f32>(inputs_0[start_24 + u32(6)], inputs_0[start_24 + u32(7)], inputs_0[start_24 + u32(8)]));
+    var _S71 : u32 = _S70 * u32(3);
+    outputs_0[_S71] = result_17[i32(0)];
+    outputs_0[_S71 + u32(1)] = result_17[i32(1)];
+    outputs_0[_S71 + u32(2)] = result_17[i32(2)];
     return;
 }
 
-fn skin_bounced_visibility_0( visibility_0 : vec3<f32>,  albedo_1 : vec3<f32>) -> vec3<f32>
+fn skin_bounced_visibility_0( visibility_0 : vec3<f32>,  albedo_4 : vec3<f32>) -> vec3<f32>
 {
-    return max(visibility_0, ((visibility_0 * (vec3<f32>(2.04040002822875977f) * albedo_1 - vec3<f32>(0.33239999413490295f)) + (vec3<f32>(-4.79510021209716797f) * albedo_1 + vec3<f32>(0.64170002937316895f))) * visibility_0 + (vec3<f32>(2.75519990921020508f) * albedo_1 + vec3<f32>(0.69029998779296875f))) * visibility_0);
+    return max(visibility_0, ((visibility_0 * (vec3<f32>(2.04040002822875977f) * albedo_4 - vec3<f32>(0.33239999413490295f)) + (vec3<f32>(-4.79510021209716797f) * albedo_4 + vec3<f32>(0.64170002937316895f))) * visibility_0 + (vec3<f32>(2.75519990921020508f) * albedo_4 + vec3<f32>(0.69029998779296875f))) * visibility_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_bounced_visibility(@builtin(global_invocation_id) thread_23 : vec3<u32>)
+fn run_bounced_visibility(@builtin(global_invocation_id) thread_26 : vec3<u32>)
 {
-    var _S62 : u32 = thread_23.x;
-    var start_22 : u32 = _S62 * u32(6);
-    var result_15 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[start_22], inputs_0[start_22 + u32(1)], inputs_0[start_22 + u32(2)]), vec3<f32>(inputs_0[start_22 + u32(3)], inputs_0[start_22 + u32(4)], inputs_0[start_22 + u32(5)]));
-    var _S63 : u32 = _S62 * u32(3);
-    outputs_0[_S63] = result_15[i32(0)];
-    outputs_0[_S63 + u32(1)] = result_15[i32(1)];
-    outputs_0[_S63 + u32(2)] = result_15[i32(2)];
+    var _S72 : u32 = thread_26.x;
+    var start_25 : u32 = _S72 * u32(6);
+    var result_18 : vec3<f32> = skin_bounced_visibility_0(vec3<f32>(inputs_0[start_25], inputs_0[start_25 + u32(1)], inputs_0[start_25 + u32(2)]), vec3<f32>(inputs_0[start_25 + u32(3)], inputs_0[start_25 + u32(4)], inputs_0[start_25 + u32(5)]));
+    var _S73 : u32 = _S72 * u32(3);
+    outputs_0[_S73] = result_18[i32(0)];
+    outputs_0[_S73 + u32(1)] = result_18[i32(1)];
+    outputs_0[_S73 + u32(2)] = result_18[i32(2)];
     return;
 }
 
@@ -645,32 +723,32 @@ fn skin_transferred_irradiance_0( ambient_transfer_red_0 : mat3x3<f32>,  ambient
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_transferred_irradiance(@builtin(global_invocation_id) thread_24 : vec3<u32>)
+fn run_transferred_irradiance(@builtin(global_invocation_id) thread_27 : vec3<u32>)
 {
-    var _S64 : u32 = thread_24.x;
-    var start_23 : u32 = _S64 * u32(54);
-    var result_16 : vec3<f32> = skin_transferred_irradiance_0(mat3x3<f32>(inputs_0[start_23], inputs_0[start_23 + u32(1)], inputs_0[start_23 + u32(2)], inputs_0[start_23 + u32(3)], inputs_0[start_23 + u32(4)], inputs_0[start_23 + u32(5)], inputs_0[start_23 + u32(6)], inputs_0[start_23 + u32(7)], inputs_0[start_23 + u32(8)]), mat3x3<f32>(inputs_0[start_23 + u32(9)], inputs_0[start_23 + u32(10)], inputs_0[start_23 + u32(11)], inputs_0[start_23 + u32(12)], inputs_0[start_23 + u32(13)], inputs_0[start_23 + u32(14)], inputs_0[start_23 + u32(15)], inputs_0[start_23 + u32(16)], inputs_0[start_23 + u32(17)]), mat3x3<f32>(inputs_0[start_23 + u32(18)], inputs_0[start_23 + u32(19)], inputs_0[start_23 + u32(20)], inputs_0[start_23 + u32(21)], inputs_0[start_23 + u32(22)], inputs_0[start_23 + u32(23)], inputs_0[start_23 + u32(24)], inputs_0[start_23 + u32(25)], inputs_0[start_23 + u32(26)]), mat3x3<f32>(inputs_0[start_23 + u32(27)], inputs_0[start_23 + u32(28)], inputs_0[start_23 + u32(29)], inputs_0[start_23 + u32(30)], inputs_0[start_23 + u32(31)], inputs_0[start_23 + u32(32)], inputs_0[start_23 + u32(33)], inputs_0[start_23 + u32(34)], inputs_0[start_23 + u32(35)]), mat3x3<f32>(inputs_0[start_23 + u32(36)], inputs_0[start_23 + u32(37)], inputs_0[start_23 + u32(38)], inputs_0[start_23 + u32(39)], inputs_0[start_23 + u32(40)], inputs_0[start_23 + u32(41)], inputs_0[start_23 + u32(42)], inputs_0[start_23 + u32(43)], inputs_0[start_23 + u32(44)]), mat3x3<f32>(inputs_0[start_23 + u32(45)], inputs_0[start_23 + u32(46)], inputs_0[start_23 + u32(47)], inputs_0[start_23 + u32(48)], inputs_0[start_23 + u32(49)], inputs_0[start_23 + u32(50)], inputs_0[start_23 + u32(51)], inputs_0[start_23 + u32(52)], inputs_0[start_23 + u32(53)]));
-    var _S65 : u32 = _S64 * u32(3);
-    outputs_0[_S65] = result_16[i32(0)];
-    outputs_0[_S65 + u32(1)] = result_16[i32(1)];
-    outputs_0[_S65 + u32(2)] = result_16[i32(2)];
+    var _S74 : u32 = thread_27.x;
+    var start_26 : u32 = _S74 * u32(54);
+    var result_19 : vec3<f32> = skin_transferred_irradiance_0(mat3x3<f32>(inputs_0[start_26], inputs_0[start_26 + u32(1)], inputs_0[start_26 + u32(2)], inputs_0[start_26 + u32(3)], inputs_0[start_26 + u32(4)], inputs_0[start_26 + u32(5)], inputs_0[start_26 + u32(6)], inputs_0[start_26 + u32(7)], inputs_0[start_26 + u32(8)]), mat3x3<f32>(inputs_0[start_26 + u32(9)], inputs_0[start_26 + u32(10)], inputs_0[start_26 + u32(11)], inputs_0[start_26 + u32(12)], inputs_0[start_26 + u32(13)], inputs_0[start_26 + u32(14)], inputs_0[start_26 + u32(15)], inputs_0[start_26 + u32(16)], inputs_0[start_26 + u32(17)]), mat3x3<f32>(inputs_0[start_26 + u32(18)], inputs_0[start_26 + u32(19)], inputs_0[start_26 + u32(20)], inputs_0[start_26 + u32(21)], inputs_0[start_26 + u32(22)], inputs_0[start_26 + u32(23)], inputs_0[start_26 + u32(24)], inputs_0[start_26 + u32(25)], inputs_0[start_26 + u32(26)]), mat3x3<f32>(inputs_0[start_26 + u32(27)], inputs_0[start_26 + u32(28)], inputs_0[start_26 + u32(29)], inputs_0[start_26 + u32(30)], inputs_0[start_26 + u32(31)], inputs_0[start_26 + u32(32)], inputs_0[start_26 + u32(33)], inputs_0[start_26 + u32(34)], inputs_0[start_26 + u32(35)]), mat3x3<f32>(inputs_0[start_26 + u32(36)], inputs_0[start_26 + u32(37)], inputs_0[start_26 + u32(38)], inputs_0[start_26 + u32(39)], inputs_0[start_26 + u32(40)], inputs_0[start_26 + u32(41)], inputs_0[start_26 + u32(42)], inputs_0[start_26 + u32(43)], inputs_0[start_26 + u32(44)]), mat3x3<f32>(inputs_0[start_26 + u32(45)], inputs_0[start_26 + u32(46)], inputs_0[start_26 + u32(47)], inputs_0[start_26 + u32(48)], inputs_0[start_26 + u32(49)], inputs_0[start_26 + u32(50)], inputs_0[start_26 + u32(51)], inputs_0[start_26 + u32(52)], inputs_0[start_26 + u32(53)]));
+    var _S75 : u32 = _S74 * u32(3);
+    outputs_0[_S75] = result_19[i32(0)];
+    outputs_0[_S75 + u32(1)] = result_19[i32(1)];
+    outputs_0[_S75 + u32(2)] = result_19[i32(2)];
     return;
 }
 
 fn skin_reflected_visibility_0( sky_harmonics_0 : mat3x3<f32>,  normal_5 : vec3<f32>,  direction_0 : vec3<f32>) -> f32
 {
     var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_0, direction_0);
-    var _S66 : f32 = max(dot(normal_5, direction_0), 0.0f);
-    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S66 * (2.0f + 1.875f * _S66)) * 0.07957746833562851f));
+    var _S76 : f32 = max(dot(normal_5, direction_0), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S76 * (2.0f + 1.875f * _S76)) * 0.07957746833562851f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected_visibility(@builtin(global_invocation_id) thread_25 : vec3<u32>)
+fn run_reflected_visibility(@builtin(global_invocation_id) thread_28 : vec3<u32>)
 {
-    var _S67 : u32 = thread_25.x;
-    var start_24 : u32 = _S67 * u32(15);
-    outputs_0[_S67] = skin_reflected_visibility_0(mat3x3<f32>(inputs_0[start_24], inputs_0[start_24 + u32(1)], inputs_0[start_24 + u32(2)], inputs_0[start_24 + u32(3)], inputs_0[start_24 + u32(4)], inputs_0[start_24 + u32(5)], inputs_0[start_24 + u32(6)], inputs_0[start_24 + u32(7)], inputs_0[start_24 + u32(8)]), vec3<f32>(inputs_0[start_24 + u32(9)], inputs_0[start_24 + u32(10)], inputs_0[start_24 + u32(11)]), vec3<f32>(inputs_0[start_24 + u32(12)], inputs_0[start_24 + u32(13)], inputs_0[start_24 + u32(14)]));
+    var _S77 : u32 = thread_28.x;
+    var start_27 : u32 = _S77 * u32(15);
+    outputs_0[_S77] = skin_reflected_visibility_0(mat3x3<f32>(inputs_0[start_27], inputs_0[start_27 + u32(1)], inputs_0[start_27 + u32(2)], inputs_0[start_27 + u32(3)], inputs_0[start_27 + u32(4)], inputs_0[start_27 + u32(5)], inputs_0[start_27 + u32(6)], inputs_0[start_27 + u32(7)], inputs_0[start_27 + u32(8)]), vec3<f32>(inputs_0[start_27 + u32(9)], inputs_0[start_27 + u32(10)], inputs_0[start_27 + u32(11)]), vec3<f32>(inputs_0[start_27 + u32(12)], inputs_0[start_27 + u32(13)], inputs_0[start_27 + u32(14)]));
     return;
 }
 
@@ -681,22 +759,22 @@ fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_0 : vec3<f32>,  sky_h
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_occluded_reflection(@builtin(global_invocation_id) thread_26 : vec3<u32>)
+fn run_occluded_reflection(@builtin(global_invocation_id) thread_29 : vec3<u32>)
 {
-    var _S68 : u32 = thread_26.x;
-    var start_25 : u32 = _S68 * u32(21);
-    var result_17 : vec3<f32> = skin_occluded_reflection_0(vec3<f32>(inputs_0[start_25], inputs_0[start_25 + u32(1)], inputs_0[start_25 + u32(2)]), vec3<f32>(inputs_0[start_25 + u32(3)], inputs_0[start_25 + u32(4)], inputs_0[start_25 + u32(5)]), mat3x3<f32>(inputs_0[start_25 + u32(6)], inputs_0[start_25 + u32(7)], inputs_0[start_25 + u32(8)], inputs_0[start_25 + u32(9)], inputs_0[start_25 + u32(10)], inputs_0[start_25 + u32(11)], inputs_0[start_25 + u32(12)], inputs_0[start_25 + u32(13)], inputs_0[start_25 + u32(14)]), vec3<f32>(inputs_0[start_25 + u32(15)], inputs_0[start_25 + u32(16)], inputs_0[start_25 + u32(17)]), vec3<f32>(inputs_0[start_25 + u32(18)], inputs_0[start_25 + u32(19)], inputs_0[start_25 + u32(20)]));
-    var _S69 : u32 = _S68 * u32(3);
-    outputs_0[_S69] = result_17[i32(0)];
-    outputs_0[_S69 + u32(1)] = result_17[i32(1)];
-    outputs_0[_S69 + u32(2)] = result_17[i32(2)];
+    var _S78 : u32 = thread_29.x;
+    var start_28 : u32 = _S78 * u32(21);
+    var result_20 : vec3<f32> = skin_occluded_reflection_0(vec3<f32>(inputs_0[start_28], inputs_0[start_28 + u32(1)], inputs_0[start_28 + u32(2)]), vec3<f32>(inputs_0[start_28 + u32(3)], inputs_0[start_28 + u32(4)], inputs_0[start_28 + u32(5)]), mat3x3<f32>(inputs_0[start_28 + u32(6)], inputs_0[start_28 + u32(7)], inputs_0[start_28 + u32(8)], inputs_0[start_28 + u32(9)], inputs_0[start_28 + u32(10)], inputs_0[start_28 + u32(11)], inputs_0[start_28 + u32(12)], inputs_0[start_28 + u32(13)], inputs_0[start_28 + u32(14)]), vec3<f32>(inputs_0[start_28 + u32(15)], inputs_0[start_28 + u32(16)], inputs_0[start_28 + u32(17)]), vec3<f32>(inputs_0[start_28 + u32(18)], inputs_0[start_28 + u32(19)], inputs_0[start_28 + u32(20)]));
+    var _S79 : u32 = _S78 * u32(3);
+    outputs_0[_S79] = result_20[i32(0)];
+    outputs_0[_S79 + u32(1)] = result_20[i32(1)];
+    outputs_0[_S79 + u32(2)] = result_20[i32(2)];
     return;
 }
 
-fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
+fn skin_specular_visibility_0( n_dot_v_2 : f32,  visibility_1 : f32,  roughness_0 : f32) -> f32
 {
     var exponent_0 : f32 = exp2(-16.0f * roughness_0 - 1.0f);
-    var base_0 : f32 = n_dot_v_0 + visibility_1;
+    var base_0 : f32 = n_dot_v_2 + visibility_1;
     var power_0 : f32;
     if(base_0 > 0.0f)
     {
@@ -711,21 +789,21 @@ fn skin_specular_visibility_0( n_dot_v_0 : f32,  visibility_1 : f32,  roughness_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_visibility(@builtin(global_invocation_id) thread_27 : vec3<u32>)
+fn run_specular_visibility(@builtin(global_invocation_id) thread_30 : vec3<u32>)
 {
-    var _S70 : u32 = thread_27.x;
-    var start_26 : u32 = _S70 * u32(3);
-    outputs_0[_S70] = skin_specular_visibility_0(inputs_0[start_26], inputs_0[start_26 + u32(1)], inputs_0[start_26 + u32(2)]);
+    var _S80 : u32 = thread_30.x;
+    var start_29 : u32 = _S80 * u32(3);
+    outputs_0[_S80] = skin_specular_visibility_0(inputs_0[start_29], inputs_0[start_29 + u32(1)], inputs_0[start_29 + u32(2)]);
     return;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_depth(@builtin(global_invocation_id) thread_28 : vec3<u32>)
+fn run_linear_depth(@builtin(global_invocation_id) thread_31 : vec3<u32>)
 {
-    var _S71 : u32 = thread_28.x;
-    var start_27 : u32 = _S71 * u32(17);
-    outputs_0[_S71] = skin_linear_depth_0(inputs_0[start_27], mat4x4<f32>(inputs_0[start_27 + u32(1)], inputs_0[start_27 + u32(2)], inputs_0[start_27 + u32(3)], inputs_0[start_27 + u32(4)], inputs_0[start_27 + u32(5)], inputs_0[start_27 + u32(6)], inputs_0[start_27 + u32(7)], inputs_0[start_27 + u32(8)], inputs_0[start_27 + u32(9)], inputs_0[start_27 + u32(10)], inputs_0[start_27 + u32(11)], inputs_0[start_27 + u32(12)], inputs_0[start_27 + u32(13)], inputs_0[start_27 + u32(14)], inputs_0[start_27 + u32(15)], inputs_0[start_27 + u32(16)]));
+    var _S81 : u32 = thread_31.x;
+    var start_30 : u32 = _S81 * u32(17);
+    outputs_0[_S81] = skin_linear_depth_0(inputs_0[start_30], mat4x4<f32>(inputs_0[start_30 + u32(1)], inputs_0[start_30 + u32(2)], inputs_0[start_30 + u32(3)], inputs_0[start_30 + u32(4)], inputs_0[start_30 + u32(5)], inputs_0[start_30 + u32(6)], inputs_0[start_30 + u32(7)], inputs_0[start_30 + u32(8)], inputs_0[start_30 + u32(9)], inputs_0[start_30 + u32(10)], inputs_0[start_30 + u32(11)], inputs_0[start_30 + u32(12)], inputs_0[start_30 + u32(13)], inputs_0[start_30 + u32(14)], inputs_0[start_30 + u32(15)], inputs_0[start_30 + u32(16)]));
     return;
 }
 
@@ -736,15 +814,15 @@ fn skin_inward_offset_0( position_mm_3 : vec3<f32>,  normal_7 : vec3<f32>,  offs
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_inward_offset(@builtin(global_invocation_id) thread_29 : vec3<u32>)
+fn run_inward_offset(@builtin(global_invocation_id) thread_32 : vec3<u32>)
 {
-    var _S72 : u32 = thread_29.x;
-    var start_28 : u32 = _S72 * u32(7);
-    var result_18 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[start_28], inputs_0[start_28 + u32(1)], inputs_0[start_28 + u32(2)]), vec3<f32>(inputs_0[start_28 + u32(3)], inputs_0[start_28 + u32(4)], inputs_0[start_28 + u32(5)]), inputs_0[start_28 + u32(6)]);
-    var _S73 : u32 = _S72 * u32(3);
-    outputs_0[_S73] = result_18[i32(0)];
-    outputs_0[_S73 + u32(1)] = result_18[i32(1)];
-    outputs_0[_S73 + u32(2)] = result_18[i32(2)];
+    var _S82 : u32 = thread_32.x;
+    var start_31 : u32 = _S82 * u32(7);
+    var result_21 : vec3<f32> = skin_inward_offset_0(vec3<f32>(inputs_0[start_31], inputs_0[start_31 + u32(1)], inputs_0[start_31 + u32(2)]), vec3<f32>(inputs_0[start_31 + u32(3)], inputs_0[start_31 + u32(4)], inputs_0[start_31 + u32(5)]), inputs_0[start_31 + u32(6)]);
+    var _S83 : u32 = _S82 * u32(3);
+    outputs_0[_S83] = result_21[i32(0)];
+    outputs_0[_S83 + u32(1)] = result_21[i32(1)];
+    outputs_0[_S83 + u32(2)] = result_21[i32(2)];
     return;
 }
 
@@ -779,33 +857,33 @@ fn skin_thickness_0( depth_map_3 : texture_2d<f32>,  depth_map_sampler_3 : sampl
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_thickness(@builtin(global_invocation_id) thread_30 : vec3<u32>)
+fn run_thickness(@builtin(global_invocation_id) thread_33 : vec3<u32>)
 {
-    var _S74 : u32 = thread_30.x;
-    var start_29 : u32 = _S74 * u32(22);
-    outputs_0[_S74] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[start_29], inputs_0[start_29 + u32(1)], inputs_0[start_29 + u32(2)], inputs_0[start_29 + u32(3)], inputs_0[start_29 + u32(4)], inputs_0[start_29 + u32(5)], inputs_0[start_29 + u32(6)], inputs_0[start_29 + u32(7)], inputs_0[start_29 + u32(8)], inputs_0[start_29 + u32(9)], inputs_0[start_29 + u32(10)], inputs_0[start_29 + u32(11)], inputs_0[start_29 + u32(12)], inputs_0[start_29 + u32(13)], inputs_0[start_29 + u32(14)], inputs_0[start_29 + u32(15)]), vec2<f32>(inputs_0[start_29 + u32(16)], inputs_0[start_29 + u32(17)]), inputs_0[start_29 + u32(18)], vec2<f32>(inputs_0[start_29 + u32(19)], inputs_0[start_29 + u32(20)]), i32(inputs_0[start_29 + u32(21)]));
+    var _S84 : u32 = thread_33.x;
+    var start_32 : u32 = _S84 * u32(22);
+    outputs_0[_S84] = skin_thickness_0(depth_map_0, depth_map_sampler_0, mat4x4<f32>(inputs_0[start_32], inputs_0[start_32 + u32(1)], inputs_0[start_32 + u32(2)], inputs_0[start_32 + u32(3)], inputs_0[start_32 + u32(4)], inputs_0[start_32 + u32(5)], inputs_0[start_32 + u32(6)], inputs_0[start_32 + u32(7)], inputs_0[start_32 + u32(8)], inputs_0[start_32 + u32(9)], inputs_0[start_32 + u32(10)], inputs_0[start_32 + u32(11)], inputs_0[start_32 + u32(12)], inputs_0[start_32 + u32(13)], inputs_0[start_32 + u32(14)], inputs_0[start_32 + u32(15)]), vec2<f32>(inputs_0[start_32 + u32(16)], inputs_0[start_32 + u32(17)]), inputs_0[start_32 + u32(18)], vec2<f32>(inputs_0[start_32 + u32(19)], inputs_0[start_32 + u32(20)]), i32(inputs_0[start_32 + u32(21)]));
     return;
 }
 
-fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_2 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
+fn skin_transmittance_0( thickness_mm_0 : f32,  albedo_5 : vec3<f32>,  sigma_per_mm_0 : vec3<f32>) -> vec3<f32>
 {
-    var a2_0 : vec3<f32> = albedo_2 * albedo_2;
+    var a2_0 : vec3<f32> = albedo_5 * albedo_5;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_0) * vec3<f32>(thickness_mm_0));
-    var _S75 : vec3<f32> = vec3<f32>(1.0f);
-    return (_S75 - a2_0) * decay_0 / (_S75 - a2_0 * decay_0 * decay_0);
+    var _S85 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S85 - a2_0) * decay_0 / (_S85 - a2_0 * decay_0 * decay_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_transmittance(@builtin(global_invocation_id) thread_31 : vec3<u32>)
+fn run_transmittance(@builtin(global_invocation_id) thread_34 : vec3<u32>)
 {
-    var _S76 : u32 = thread_31.x;
-    var start_30 : u32 = _S76 * u32(7);
-    var result_19 : vec3<f32> = skin_transmittance_0(inputs_0[start_30], vec3<f32>(inputs_0[start_30 + u32(1)], inputs_0[start_30 + u32(2)], inputs_0[start_30 + u32(3)]), vec3<f32>(inputs_0[start_30 + u32(4)], inputs_0[start_30 + u32(5)], inputs_0[start_30 + u32(6)]));
-    var _S77 : u32 = _S76 * u32(3);
-    outputs_0[_S77] = result_19[i32(0)];
-    outputs_0[_S77 + u32(1)] = result_19[i32(1)];
-    outputs_0[_S77 + u32(2)] = result_19[i32(2)];
+    var _S86 : u32 = thread_34.x;
+    var start_33 : u32 = _S86 * u32(7);
+    var result_22 : vec3<f32> = skin_transmittance_0(inputs_0[start_33], vec3<f32>(inputs_0[start_33 + u32(1)], inputs_0[start_33 + u32(2)], inputs_0[start_33 + u32(3)]), vec3<f32>(inputs_0[start_33 + u32(4)], inputs_0[start_33 + u32(5)], inputs_0[start_33 + u32(6)]));
+    var _S87 : u32 = _S86 * u32(3);
+    outputs_0[_S87] = result_22[i32(0)];
+    outputs_0[_S87 + u32(1)] = result_22[i32(1)];
+    outputs_0[_S87 + u32(2)] = result_22[i32(2)];
     return;
 }
 
@@ -817,11 +895,11 @@ fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_0 : f32) -> f3
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_transmittance(@builtin(global_invocation_id) thread_32 : vec3<u32>)
+fn run_classic_transmittance(@builtin(global_invocation_id) thread_35 : vec3<u32>)
 {
-    var _S78 : u32 = thread_32.x;
-    var start_31 : u32 = _S78 * u32(2);
-    outputs_0[_S78] = skin_classic_transmittance_0(inputs_0[start_31], inputs_0[start_31 + u32(1)]);
+    var _S88 : u32 = thread_35.x;
+    var start_34 : u32 = _S88 * u32(2);
+    outputs_0[_S88] = skin_classic_transmittance_0(inputs_0[start_34], inputs_0[start_34 + u32(1)]);
     return;
 }
 
@@ -832,15 +910,15 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  str
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_33 : vec3<u32>)
+fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_36 : vec3<u32>)
 {
-    var _S79 : u32 = thread_33.x;
-    var start_32 : u32 = _S79 * u32(5);
-    var result_20 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[start_32], inputs_0[start_32 + u32(1)], inputs_0[start_32 + u32(2)]), inputs_0[start_32 + u32(3)], inputs_0[start_32 + u32(4)]);
-    var _S80 : u32 = _S79 * u32(3);
-    outputs_0[_S80] = result_20[i32(0)];
-    outputs_0[_S80 + u32(1)] = result_20[i32(1)];
-    outputs_0[_S80 + u32(2)] = result_20[i32(2)];
+    var _S89 : u32 = thread_36.x;
+    var start_35 : u32 = _S89 * u32(5);
+    var result_23 : vec3<f32> = skin_direct_deep_scatter_0(vec3<f32>(inputs_0[start_35], inputs_0[start_35 + u32(1)], inputs_0[start_35 + u32(2)]), inputs_0[start_35 + u32(3)], inputs_0[start_35 + u32(4)]);
+    var _S90 : u32 = _S89 * u32(3);
+    outputs_0[_S90] = result_23[i32(0)];
+    outputs_0[_S90 + u32(1)] = result_23[i32(1)];
+    outputs_0[_S90 + u32(2)] = result_23[i32(2)];
     return;
 }
 
@@ -851,15 +929,15 @@ fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_34 : vec3<u32>)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_37 : vec3<u32>)
 {
-    var _S81 : u32 = thread_34.x;
-    var start_33 : u32 = _S81 * u32(7);
-    var result_21 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_33], inputs_0[start_33 + u32(1)], inputs_0[start_33 + u32(2)]), vec3<f32>(inputs_0[start_33 + u32(3)], inputs_0[start_33 + u32(4)], inputs_0[start_33 + u32(5)]), inputs_0[start_33 + u32(6)]);
-    var _S82 : u32 = _S81 * u32(3);
-    outputs_0[_S82] = result_21[i32(0)];
-    outputs_0[_S82 + u32(1)] = result_21[i32(1)];
-    outputs_0[_S82 + u32(2)] = result_21[i32(2)];
+    var _S91 : u32 = thread_37.x;
+    var start_36 : u32 = _S91 * u32(7);
+    var result_24 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]), vec3<f32>(inputs_0[start_36 + u32(3)], inputs_0[start_36 + u32(4)], inputs_0[start_36 + u32(5)]), inputs_0[start_36 + u32(6)]);
+    var _S92 : u32 = _S91 * u32(3);
+    outputs_0[_S92] = result_24[i32(0)];
+    outputs_0[_S92 + u32(1)] = result_24[i32(1)];
+    outputs_0[_S92 + u32(2)] = result_24[i32(2)];
     return;
 }
 
@@ -870,10 +948,10 @@ fn skin_specular_power_0( gloss_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_power(@builtin(global_invocation_id) thread_35 : vec3<u32>)
+fn run_specular_power(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
-    var _S83 : u32 = thread_35.x;
-    outputs_0[_S83] = skin_specular_power_0(inputs_0[_S83]);
+    var _S93 : u32 = thread_38.x;
+    outputs_0[_S93] = skin_specular_power_0(inputs_0[_S93]);
     return;
 }
 
@@ -886,56 +964,56 @@ fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_of_relief(@builtin(global_invocation_id) thread_36 : vec3<u32>)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
-    var _S84 : u32 = thread_36.x;
-    var start_34 : u32 = _S84 * u32(2);
-    outputs_0[_S84] = skin_gloss_of_relief_0(inputs_0[start_34], inputs_0[start_34 + u32(1)]);
+    var _S94 : u32 = thread_39.x;
+    var start_37 : u32 = _S94 * u32(2);
+    outputs_0[_S94] = skin_gloss_of_relief_0(inputs_0[start_37], inputs_0[start_37 + u32(1)]);
     return;
 }
 
 fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 {
-    var _S85 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S85 * _S85;
+    var _S95 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S95 * _S95;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_40 : vec3<u32>)
 {
-    var _S86 : u32 = thread_37.x;
-    outputs_0[_S86] = skin_gloss_from_roughness_0(inputs_0[_S86]);
+    var _S96 : u32 = thread_40.x;
+    outputs_0[_S96] = skin_gloss_from_roughness_0(inputs_0[_S96]);
     return;
 }
 
-fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_1 : f32,  power_2 : f32) -> f32
+fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_3 : f32,  power_2 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_2 / 4.0f + 1.57079637050628662f);
-    var _S87 : f32 = 1.0f - k_0;
-    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S87 * n_dot_l_2) * (k_0 + _S87 * n_dot_v_1)));
+    var _S97 : f32 = 1.0f - k_0;
+    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S97 * n_dot_l_2) * (k_0 + _S97 * n_dot_v_3)));
 }
 
-fn skin_specular_0( normal_8 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_0 : f32) -> f32
+fn skin_specular_0( normal_8 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_1 : f32) -> f32
 {
     var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_2 + light_5);
     var n_dot_l_3 : f32 = saturate(dot(normal_8, light_5));
-    var n_dot_v_2 : f32 = clamp(dot(normal_8, view_2), 0.00009999999747379f, 1.0f);
+    var n_dot_v_4 : f32 = clamp(dot(normal_8, view_2), 0.00009999999747379f, 1.0f);
     var n_dot_h_1 : f32 = saturate(dot(normal_8, half_vector_0));
     var wide_0 : f32 = skin_specular_power_0(gloss_2);
     var grazing_0 : f32 = 1.0f - saturate(dot(view_2, half_vector_0));
     var grazing2_0 : f32 = grazing_0 * grazing_0;
-    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance_0 + (1.0f - reflectance_0) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_4, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_3, n_dot_v_4, min(wide_0 * wide_0, 8192.0f))) * (reflectance_1 + (1.0f - reflectance_1) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+fn run_specular(@builtin(global_invocation_id) thread_41 : vec3<u32>)
 {
-    var _S88 : u32 = thread_38.x;
-    var start_35 : u32 = _S88 * u32(11);
-    outputs_0[_S88] = skin_specular_0(vec3<f32>(inputs_0[start_35], inputs_0[start_35 + u32(1)], inputs_0[start_35 + u32(2)]), vec3<f32>(inputs_0[start_35 + u32(3)], inputs_0[start_35 + u32(4)], inputs_0[start_35 + u32(5)]), vec3<f32>(inputs_0[start_35 + u32(6)], inputs_0[start_35 + u32(7)], inputs_0[start_35 + u32(8)]), inputs_0[start_35 + u32(9)], inputs_0[start_35 + u32(10)]);
+    var _S98 : u32 = thread_41.x;
+    var start_38 : u32 = _S98 * u32(11);
+    outputs_0[_S98] = skin_specular_0(vec3<f32>(inputs_0[start_38], inputs_0[start_38 + u32(1)], inputs_0[start_38 + u32(2)]), vec3<f32>(inputs_0[start_38 + u32(3)], inputs_0[start_38 + u32(4)], inputs_0[start_38 + u32(5)]), vec3<f32>(inputs_0[start_38 + u32(6)], inputs_0[start_38 + u32(7)], inputs_0[start_38 + u32(8)]), inputs_0[start_38 + u32(9)], inputs_0[start_38 + u32(10)]);
     return;
 }
 
@@ -946,60 +1024,182 @@ fn skin_reflected_0( normal_9 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected(@builtin(global_invocation_id) thread_39 : vec3<u32>)
+fn run_reflected(@builtin(global_invocation_id) thread_42 : vec3<u32>)
 {
-    var _S89 : u32 = thread_39.x;
-    var start_36 : u32 = _S89 * u32(6);
-    var result_22 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]), vec3<f32>(inputs_0[start_36 + u32(3)], inputs_0[start_36 + u32(4)], inputs_0[start_36 + u32(5)]));
-    var _S90 : u32 = _S89 * u32(3);
-    outputs_0[_S90] = result_22[i32(0)];
-    outputs_0[_S90 + u32(1)] = result_22[i32(1)];
-    outputs_0[_S90 + u32(2)] = result_22[i32(2)];
+    var _S99 : u32 = thread_42.x;
+    var start_39 : u32 = _S99 * u32(6);
+    var result_25 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_39], inputs_0[start_39 + u32(1)], inputs_0[start_39 + u32(2)]), vec3<f32>(inputs_0[start_39 + u32(3)], inputs_0[start_39 + u32(4)], inputs_0[start_39 + u32(5)]));
+    var _S100 : u32 = _S99 * u32(3);
+    outputs_0[_S100] = result_25[i32(0)];
+    outputs_0[_S100 + u32(1)] = result_25[i32(1)];
+    outputs_0[_S100 + u32(2)] = result_25[i32(2)];
     return;
 }
 
-fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_3 : f32,  reflectance_1 : f32) -> f32
+fn skin_ambient_specular_fresnel_0( n_dot_v_5 : f32,  gloss_3 : f32,  reflectance_2 : f32) -> f32
 {
-    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_3);
+    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_5);
     var grazing2_1 : f32 = grazing_1 * grazing_1;
-    return reflectance_1 + (1.0f - reflectance_1) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_3);
+    return reflectance_2 + (1.0f - reflectance_2) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_3);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_40 : vec3<u32>)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_43 : vec3<u32>)
 {
-    var _S91 : u32 = thread_40.x;
-    var start_37 : u32 = _S91 * u32(3);
-    outputs_0[_S91] = skin_ambient_specular_fresnel_0(inputs_0[start_37], inputs_0[start_37 + u32(1)], inputs_0[start_37 + u32(2)]);
+    var _S101 : u32 = thread_43.x;
+    var start_40 : u32 = _S101 * u32(3);
+    outputs_0[_S101] = skin_ambient_specular_fresnel_0(inputs_0[start_40], inputs_0[start_40 + u32(1)], inputs_0[start_40 + u32(2)]);
     return;
 }
 
-fn skin_diffuse_share_0( n_dot_v_4 : f32,  gloss_4 : f32,  reflectance_2 : f32) -> f32
+fn skin_diffuse_share_0( n_dot_v_6 : f32,  gloss_4 : f32,  reflectance_3 : f32) -> f32
 {
-    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_4, gloss_4, reflectance_2);
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_6, gloss_4, reflectance_3);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_diffuse_share(@builtin(global_invocation_id) thread_41 : vec3<u32>)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_44 : vec3<u32>)
 {
-    var _S92 : u32 = thread_41.x;
-    var start_38 : u32 = _S92 * u32(3);
-    outputs_0[_S92] = skin_diffuse_share_0(inputs_0[start_38], inputs_0[start_38 + u32(1)], inputs_0[start_38 + u32(2)]);
+    var _S102 : u32 = thread_44.x;
+    var start_41 : u32 = _S102 * u32(3);
+    outputs_0[_S102] = skin_diffuse_share_0(inputs_0[start_41], inputs_0[start_41 + u32(1)], inputs_0[start_41 + u32(2)]);
+    return;
+}
+
+fn skin_alpha_from_gloss_0( gloss_5 : f32) -> f32
+{
+    return sqrt(2.0f / (skin_specular_power_0(gloss_5) + 2.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_alpha_from_gloss(@builtin(global_invocation_id) thread_45 : vec3<u32>)
+{
+    var _S103 : u32 = thread_45.x;
+    outputs_0[_S103] = skin_alpha_from_gloss_0(inputs_0[_S103]);
+    return;
+}
+
+fn skin_second_gloss_0( gloss_6 : f32) -> f32
+{
+    return min(2.0f * gloss_6, 1.0f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_second_gloss(@builtin(global_invocation_id) thread_46 : vec3<u32>)
+{
+    var _S104 : u32 = thread_46.x;
+    outputs_0[_S104] = skin_second_gloss_0(inputs_0[_S104]);
+    return;
+}
+
+fn skin_dielectric_fresnel_0( cosine_2 : f32,  reflectance_4 : f32) -> f32
+{
+    var root_1 : f32 = sqrt(clamp(reflectance_4, 0.0f, 0.89999997615814209f));
+    var _S105 : f32 = 1.0f - root_1;
+    var excess_0 : f32 = 4.0f * root_1 / (_S105 * _S105);
+    var _S106 : f32 = max(sqrt(excess_0 + cosine_2 * cosine_2) + cosine_2, 9.99999971718068537e-10f);
+    var across_0 : f32 = excess_0 / (_S106 * _S106);
+    var along_0 : f32 = (cosine_2 * _S106 - 1.0f) / (cosine_2 * excess_0 / _S106 + 1.0f);
+    return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_dielectric_fresnel(@builtin(global_invocation_id) thread_47 : vec3<u32>)
+{
+    var _S107 : u32 = thread_47.x;
+    var start_42 : u32 = _S107 * u32(2);
+    outputs_0[_S107] = skin_dielectric_fresnel_0(inputs_0[start_42], inputs_0[start_42 + u32(1)]);
+    return;
+}
+
+fn skin_coat_highlight_0( normal_10 : vec3<f32>,  view_4 : vec3<f32>,  light_6 : vec3<f32>,  gloss_7 : f32,  reflectance_5 : f32) -> f32
+{
+    var half_vector_1 : vec3<f32> = skin_unit_vectors_0(view_4 + light_6);
+    var n_dot_l_4 : f32 = saturate(dot(normal_10, light_6));
+    var n_dot_v_7 : f32 = clamp(dot(normal_10, view_4), 0.00009999999747379f, 1.0f);
+    var n_dot_h_2 : f32 = saturate(dot(normal_10, half_vector_1));
+    var v_dot_h_0 : f32 = saturate(dot(view_4, half_vector_1));
+    var squared_0 : f32 = 2.0f / (skin_specular_power_0(gloss_7) + 2.0f);
+    var side_0 : vec3<f32> = cross(normal_10, half_vector_1);
+    var sine2_0 : f32;
+    if(n_dot_h_2 > 0.0f)
+    {
+        sine2_0 = dot(side_0, side_0);
+    }
+    else
+    {
+        sine2_0 = 1.0f;
+    }
+    var root_2 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
+    var _S108 : f32 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S108 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S108 + squared_0))) * skin_dielectric_fresnel_0(v_dot_h_0, reflectance_5) * n_dot_l_4;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_coat_highlight(@builtin(global_invocation_id) thread_48 : vec3<u32>)
+{
+    var _S109 : u32 = thread_48.x;
+    var start_43 : u32 = _S109 * u32(11);
+    outputs_0[_S109] = skin_coat_highlight_0(vec3<f32>(inputs_0[start_43], inputs_0[start_43 + u32(1)], inputs_0[start_43 + u32(2)]), vec3<f32>(inputs_0[start_43 + u32(3)], inputs_0[start_43 + u32(4)], inputs_0[start_43 + u32(5)]), vec3<f32>(inputs_0[start_43 + u32(6)], inputs_0[start_43 + u32(7)], inputs_0[start_43 + u32(8)]), inputs_0[start_43 + u32(9)], inputs_0[start_43 + u32(10)]);
+    return;
+}
+
+fn skin_coat_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  n_dot_v_8 : f32,  gloss_8 : f32,  reflectance_6 : f32,  coat_reflectance_0 : f32) -> vec2<f32>
+{
+    var entry_0 : vec3<f32> = (textureSampleLevel((lut_6), (lut_sampler_6), (saturate((vec2<f32>(sqrt(saturate(n_dot_v_8)), gloss_8) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0f))).xyz;
+    var _S110 : f32 = entry_0.z;
+    return vec2<f32>(clamp(_S110 + (1.0f - reflectance_6) / (1.0f - coat_reflectance_0) * (entry_0.x - _S110), 0.0f, _S110), entry_0.y);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_coat(@builtin(global_invocation_id) thread_49 : vec3<u32>)
+{
+    var _S111 : u32 = thread_49.x;
+    var start_44 : u32 = _S111 * u32(8);
+    var result_26 : vec2<f32> = skin_coat_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_44], inputs_0[start_44 + u32(1)], inputs_0[start_44 + u32(2)], inputs_0[start_44 + u32(3)]), inputs_0[start_44 + u32(4)], inputs_0[start_44 + u32(5)], inputs_0[start_44 + u32(6)], inputs_0[start_44 + u32(7)]);
+    var _S112 : u32 = _S111 * u32(2);
+    outputs_0[_S112] = result_26[i32(0)];
+    outputs_0[_S112 + u32(1)] = result_26[i32(1)];
+    return;
+}
+
+fn skin_coat_direction_0( normal_11 : vec3<f32>,  view_5 : vec3<f32>,  pull_0 : f32) -> vec3<f32>
+{
+    var mirrored_0 : vec3<f32> = skin_reflected_0(normal_11, view_5);
+    return skin_unit_vectors_0(mirrored_0 + vec3<f32>(pull_0) * (normal_11 - mirrored_0));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_coat_direction(@builtin(global_invocation_id) thread_50 : vec3<u32>)
+{
+    var _S113 : u32 = thread_50.x;
+    var start_45 : u32 = _S113 * u32(7);
+    var result_27 : vec3<f32> = skin_coat_direction_0(vec3<f32>(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)]), vec3<f32>(inputs_0[start_45 + u32(3)], inputs_0[start_45 + u32(4)], inputs_0[start_45 + u32(5)]), inputs_0[start_45 + u32(6)]);
+    var _S114 : u32 = _S113 * u32(3);
+    outputs_0[_S114] = result_27[i32(0)];
+    outputs_0[_S114 + u32(1)] = result_27[i32(1)];
+    outputs_0[_S114 + u32(2)] = result_27[i32(2)];
     return;
 }
 
 fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
 {
     var size_0 : vec2<f32> = abs(vec2<f32>(x_2, y_1));
-    var _S93 : f32 = size_0.x;
-    var _S94 : f32 = size_0.y;
-    var r_0 : f32 = min(_S93, _S94) / max(max(_S93, _S94), 1.00000000317107685e-30f);
+    var _S115 : f32 = size_0.x;
+    var _S116 : f32 = size_0.y;
+    var r_0 : f32 = min(_S115, _S116) / max(max(_S115, _S116), 1.00000000317107685e-30f);
     var r2_1 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S94 > _S93)
+    if(_S116 > _S115)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -1020,21 +1220,21 @@ fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
 
 fn skin_equirectangular_uv_0( direction_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S95 : f32 = direction_2.x;
-    var _S96 : f32 = direction_2.z;
-    return vec2<f32>(0.5f + skin_turns_0(_S96, _S95), 2.0f * skin_turns_0(sqrt(_S95 * _S95 + _S96 * _S96), direction_2.y));
+    var _S117 : f32 = direction_2.x;
+    var _S118 : f32 = direction_2.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S118, _S117), 2.0f * skin_turns_0(sqrt(_S117 * _S117 + _S118 * _S118), direction_2.y));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_equirectangular_uv(@builtin(global_invocation_id) thread_42 : vec3<u32>)
+fn run_equirectangular_uv(@builtin(global_invocation_id) thread_51 : vec3<u32>)
 {
-    var _S97 : u32 = thread_42.x;
-    var start_39 : u32 = _S97 * u32(3);
-    var result_23 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_39], inputs_0[start_39 + u32(1)], inputs_0[start_39 + u32(2)]));
-    var _S98 : u32 = _S97 * u32(2);
-    outputs_0[_S98] = result_23[i32(0)];
-    outputs_0[_S98 + u32(1)] = result_23[i32(1)];
+    var _S119 : u32 = thread_51.x;
+    var start_46 : u32 = _S119 * u32(3);
+    var result_28 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_46], inputs_0[start_46 + u32(1)], inputs_0[start_46 + u32(2)]));
+    var _S120 : u32 = _S119 * u32(2);
+    outputs_0[_S120] = result_28[i32(0)];
+    outputs_0[_S120 + u32(1)] = result_28[i32(1)];
     return;
 }
 
@@ -1045,110 +1245,129 @@ fn skin_reflection_level_0( power_3 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflection_level(@builtin(global_invocation_id) thread_43 : vec3<u32>)
+fn run_reflection_level(@builtin(global_invocation_id) thread_52 : vec3<u32>)
 {
-    var _S99 : u32 = thread_43.x;
-    outputs_0[_S99] = skin_reflection_level_0(inputs_0[_S99]);
+    var _S121 : u32 = thread_52.x;
+    outputs_0[_S121] = skin_reflection_level_0(inputs_0[_S121]);
     return;
 }
 
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_2 : vec2<f32>,  power_4 : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level_0(power_4);
-    var _S100 : f32 = min(floor(level_0), 3.0f);
+    var _S122 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S101 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S101, (_S100 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S101, (_S100 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S100)));
+    var _S123 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S123, (_S122 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S123, (_S122 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S122)));
 }
 
-fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_3 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_3 : vec3<f32>,  gloss_9 : f32) -> vec3<f32>
 {
     var uv_3 : vec2<f32> = skin_equirectangular_uv_0(direction_3);
-    var power_5 : f32 = skin_specular_power_0(gloss_5);
+    var power_5 : f32 = skin_specular_power_0(gloss_9);
     return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_3, power_5 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_2, uv_3, power_5 * power_5 / 4.0f), vec3<f32>(0.05000000074505806f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected_radiance(@builtin(global_invocation_id) thread_44 : vec3<u32>)
+fn run_reflected_radiance(@builtin(global_invocation_id) thread_53 : vec3<u32>)
 {
-    var _S102 : u32 = thread_44.x;
-    var start_40 : u32 = _S102 * u32(4);
-    var result_24 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_40], inputs_0[start_40 + u32(1)], inputs_0[start_40 + u32(2)]), inputs_0[start_40 + u32(3)]);
-    var _S103 : u32 = _S102 * u32(3);
-    outputs_0[_S103] = result_24[i32(0)];
-    outputs_0[_S103 + u32(1)] = result_24[i32(1)];
-    outputs_0[_S103 + u32(2)] = result_24[i32(2)];
+    var _S124 : u32 = thread_53.x;
+    var start_47 : u32 = _S124 * u32(4);
+    var result_29 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_47], inputs_0[start_47 + u32(1)], inputs_0[start_47 + u32(2)]), inputs_0[start_47 + u32(3)]);
+    var _S125 : u32 = _S124 * u32(3);
+    outputs_0[_S125] = result_29[i32(0)];
+    outputs_0[_S125 + u32(1)] = result_29[i32(1)];
+    outputs_0[_S125 + u32(2)] = result_29[i32(2)];
     return;
 }
 
-fn skin_filmic_0( light_6 : vec3<f32>) -> vec3<f32>
+fn skin_coat_radiance_0( preconvolved_3 : texture_2d<f32>,  preconvolved_sampler_3 : sampler,  direction_4 : vec3<f32>,  n_dot_v_9 : f32,  gloss_10 : f32) -> vec3<f32>
 {
-    var x_3 : vec3<f32> = max(light_6 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S104 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S104 + vec3<f32>(0.5f)) / (x_3 * (_S104 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    return skin_preconvolved_0(preconvolved_3, preconvolved_sampler_3, skin_equirectangular_uv_0(direction_4), (skin_specular_power_0(gloss_10) + 2.0f) / (8.0f * max(n_dot_v_9, 0.00999999977648258f)));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_filmic(@builtin(global_invocation_id) thread_45 : vec3<u32>)
+fn run_coat_radiance(@builtin(global_invocation_id) thread_54 : vec3<u32>)
 {
-    var start_41 : u32 = thread_45.x * u32(3);
-    var _S105 : u32 = start_41 + u32(1);
-    var _S106 : u32 = start_41 + u32(2);
-    var result_25 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_41], inputs_0[_S105], inputs_0[_S106]));
-    outputs_0[start_41] = result_25[i32(0)];
-    outputs_0[_S105] = result_25[i32(1)];
-    outputs_0[_S106] = result_25[i32(2)];
+    var _S126 : u32 = thread_54.x;
+    var start_48 : u32 = _S126 * u32(5);
+    var result_30 : vec3<f32> = skin_coat_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_48], inputs_0[start_48 + u32(1)], inputs_0[start_48 + u32(2)]), inputs_0[start_48 + u32(3)], inputs_0[start_48 + u32(4)]);
+    var _S127 : u32 = _S126 * u32(3);
+    outputs_0[_S127] = result_30[i32(0)];
+    outputs_0[_S127 + u32(1)] = result_30[i32(1)];
+    outputs_0[_S127 + u32(2)] = result_30[i32(2)];
+    return;
+}
+
+fn skin_filmic_0( light_7 : vec3<f32>) -> vec3<f32>
+{
+    var x_3 : vec3<f32> = max(light_7 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
+    var _S128 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S128 + vec3<f32>(0.5f)) / (x_3 * (_S128 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_filmic(@builtin(global_invocation_id) thread_55 : vec3<u32>)
+{
+    var start_49 : u32 = thread_55.x * u32(3);
+    var _S129 : u32 = start_49 + u32(1);
+    var _S130 : u32 = start_49 + u32(2);
+    var result_31 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_49], inputs_0[_S129], inputs_0[_S130]));
+    outputs_0[start_49] = result_31[i32(0)];
+    outputs_0[_S129] = result_31[i32(1)];
+    outputs_0[_S130] = result_31[i32(2)];
     return;
 }
 
 fn skin_srgb_curve_0( x_4 : f32) -> f32
 {
-    var _S107 : f32;
+    var _S131 : f32;
     if(x_4 <= 0.00313080009073019f)
     {
-        _S107 = 12.92000007629394531f * x_4;
+        _S131 = 12.92000007629394531f * x_4;
     }
     else
     {
-        _S107 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S131 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S107;
+    return _S131;
 }
 
-fn skin_srgb_from_linear_0( light_7 : vec3<f32>) -> vec3<f32>
+fn skin_srgb_from_linear_0( light_8 : vec3<f32>) -> vec3<f32>
 {
-    var x_5 : vec3<f32> = saturate(light_7);
+    var x_5 : vec3<f32> = saturate(light_8);
     return vec3<f32>(skin_srgb_curve_0(x_5.x), skin_srgb_curve_0(x_5.y), skin_srgb_curve_0(x_5.z));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_srgb_from_linear(@builtin(global_invocation_id) thread_46 : vec3<u32>)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_56 : vec3<u32>)
 {
-    var start_42 : u32 = thread_46.x * u32(3);
-    var _S108 : u32 = start_42 + u32(1);
-    var _S109 : u32 = start_42 + u32(2);
-    var result_26 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_42], inputs_0[_S108], inputs_0[_S109]));
-    outputs_0[start_42] = result_26[i32(0)];
-    outputs_0[_S108] = result_26[i32(1)];
-    outputs_0[_S109] = result_26[i32(2)];
+    var start_50 : u32 = thread_56.x * u32(3);
+    var _S132 : u32 = start_50 + u32(1);
+    var _S133 : u32 = start_50 + u32(2);
+    var result_32 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_50], inputs_0[_S132], inputs_0[_S133]));
+    outputs_0[start_50] = result_32[i32(0)];
+    outputs_0[_S132] = result_32[i32(1)];
+    outputs_0[_S133] = result_32[i32(2)];
     return;
 }
 
 fn skin_linear_curve_0( x_6 : f32) -> f32
 {
-    var _S110 : f32;
+    var _S134 : f32;
     if(x_6 <= 0.04044999927282333f)
     {
-        _S110 = x_6 / 12.92000007629394531f;
+        _S134 = x_6 / 12.92000007629394531f;
     }
     else
     {
-        _S110 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S134 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S110;
+    return _S134;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -1159,15 +1378,15 @@ fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_from_srgb(@builtin(global_invocation_id) thread_47 : vec3<u32>)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_57 : vec3<u32>)
 {
-    var start_43 : u32 = thread_47.x * u32(3);
-    var _S111 : u32 = start_43 + u32(1);
-    var _S112 : u32 = start_43 + u32(2);
-    var result_27 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_43], inputs_0[_S111], inputs_0[_S112]));
-    outputs_0[start_43] = result_27[i32(0)];
-    outputs_0[_S111] = result_27[i32(1)];
-    outputs_0[_S112] = result_27[i32(2)];
+    var start_51 : u32 = thread_57.x * u32(3);
+    var _S135 : u32 = start_51 + u32(1);
+    var _S136 : u32 = start_51 + u32(2);
+    var result_33 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_51], inputs_0[_S135], inputs_0[_S136]));
+    outputs_0[start_51] = result_33[i32(0)];
+    outputs_0[_S135] = result_33[i32(1)];
+    outputs_0[_S136] = result_33[i32(2)];
     return;
 }
 
@@ -1178,33 +1397,33 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_blur_level(@builtin(global_invocation_id) thread_48 : vec3<u32>)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_58 : vec3<u32>)
 {
-    var _S113 : u32 = thread_48.x;
-    var start_44 : u32 = _S113 * u32(4);
-    outputs_0[_S113] = skin_classic_blur_level_0(inputs_0[start_44], inputs_0[start_44 + u32(1)], inputs_0[start_44 + u32(2)], inputs_0[start_44 + u32(3)]);
+    var _S137 : u32 = thread_58.x;
+    var start_52 : u32 = _S137 * u32(4);
+    outputs_0[_S137] = skin_classic_blur_level_0(inputs_0[start_52], inputs_0[start_52 + u32(1)], inputs_0[start_52 + u32(2)], inputs_0[start_52 + u32(3)]);
     return;
 }
 
-fn skin_classic_direct_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  sharp_0 : vec3<f32>,  blurred_0 : vec3<f32>,  light_8 : vec3<f32>,  curvature_per_mm_6 : f32) -> vec3<f32>
+fn skin_classic_direct_0( lut_7 : texture_2d<f32>,  lut_sampler_7 : sampler,  lut_axes_6 : vec4<f32>,  sharp_0 : vec3<f32>,  blurred_0 : vec3<f32>,  light_9 : vec3<f32>,  curvature_per_mm_6 : f32) -> vec3<f32>
 {
-    var blurred_cosine_0 : f32 = dot(blurred_0, light_8);
+    var blurred_cosine_0 : f32 = dot(blurred_0, light_9);
     var k_1 : f32 = saturate(1.0f - blurred_cosine_0);
     var k_2 : f32 = k_1 * k_1;
-    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_8), dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>(k_2))), light_8))) + ((textureSampleLevel((lut_6), (lut_sampler_6), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_6)) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_2)))), light_9), dot(skin_unit_vectors_0(mix(sharp_0, blurred_0, vec3<f32>(k_2))), light_9))) + ((textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_6)) - lut_axes_6.xz) * lut_axes_6.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_direct(@builtin(global_invocation_id) thread_49 : vec3<u32>)
+fn run_classic_direct(@builtin(global_invocation_id) thread_59 : vec3<u32>)
 {
-    var _S114 : u32 = thread_49.x;
-    var start_45 : u32 = _S114 * u32(14);
-    var result_28 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)], inputs_0[start_45 + u32(3)]), vec3<f32>(inputs_0[start_45 + u32(4)], inputs_0[start_45 + u32(5)], inputs_0[start_45 + u32(6)]), vec3<f32>(inputs_0[start_45 + u32(7)], inputs_0[start_45 + u32(8)], inputs_0[start_45 + u32(9)]), vec3<f32>(inputs_0[start_45 + u32(10)], inputs_0[start_45 + u32(11)], inputs_0[start_45 + u32(12)]), inputs_0[start_45 + u32(13)]);
-    var _S115 : u32 = _S114 * u32(3);
-    outputs_0[_S115] = result_28[i32(0)];
-    outputs_0[_S115 + u32(1)] = result_28[i32(1)];
-    outputs_0[_S115 + u32(2)] = result_28[i32(2)];
+    var _S138 : u32 = thread_59.x;
+    var start_53 : u32 = _S138 * u32(14);
+    var result_34 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_53], inputs_0[start_53 + u32(1)], inputs_0[start_53 + u32(2)], inputs_0[start_53 + u32(3)]), vec3<f32>(inputs_0[start_53 + u32(4)], inputs_0[start_53 + u32(5)], inputs_0[start_53 + u32(6)]), vec3<f32>(inputs_0[start_53 + u32(7)], inputs_0[start_53 + u32(8)], inputs_0[start_53 + u32(9)]), vec3<f32>(inputs_0[start_53 + u32(10)], inputs_0[start_53 + u32(11)], inputs_0[start_53 + u32(12)]), inputs_0[start_53 + u32(13)]);
+    var _S139 : u32 = _S138 * u32(3);
+    outputs_0[_S139] = result_34[i32(0)];
+    outputs_0[_S139 + u32(1)] = result_34[i32(1)];
+    outputs_0[_S139 + u32(2)] = result_34[i32(2)];
     return;
 }
 
@@ -1215,21 +1434,21 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_50 : vec3<u32>)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_60 : vec3<u32>)
 {
-    var _S116 : u32 = thread_50.x;
-    var start_46 : u32 = _S116 * u32(6);
-    var result_29 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_46], inputs_0[start_46 + u32(1)], inputs_0[start_46 + u32(2)]), vec3<f32>(inputs_0[start_46 + u32(3)], inputs_0[start_46 + u32(4)], inputs_0[start_46 + u32(5)]));
-    var _S117 : u32 = _S116 * u32(9);
-    outputs_0[_S117] = result_29[i32(0)][i32(0)];
-    outputs_0[_S117 + u32(1)] = result_29[i32(0)][i32(1)];
-    outputs_0[_S117 + u32(2)] = result_29[i32(0)][i32(2)];
-    outputs_0[_S117 + u32(3)] = result_29[i32(1)][i32(0)];
-    outputs_0[_S117 + u32(4)] = result_29[i32(1)][i32(1)];
-    outputs_0[_S117 + u32(5)] = result_29[i32(1)][i32(2)];
-    outputs_0[_S117 + u32(6)] = result_29[i32(2)][i32(0)];
-    outputs_0[_S117 + u32(7)] = result_29[i32(2)][i32(1)];
-    outputs_0[_S117 + u32(8)] = result_29[i32(2)][i32(2)];
+    var _S140 : u32 = thread_60.x;
+    var start_54 : u32 = _S140 * u32(6);
+    var result_35 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_54], inputs_0[start_54 + u32(1)], inputs_0[start_54 + u32(2)]), vec3<f32>(inputs_0[start_54 + u32(3)], inputs_0[start_54 + u32(4)], inputs_0[start_54 + u32(5)]));
+    var _S141 : u32 = _S140 * u32(9);
+    outputs_0[_S141] = result_35[i32(0)][i32(0)];
+    outputs_0[_S141 + u32(1)] = result_35[i32(0)][i32(1)];
+    outputs_0[_S141 + u32(2)] = result_35[i32(0)][i32(2)];
+    outputs_0[_S141 + u32(3)] = result_35[i32(1)][i32(0)];
+    outputs_0[_S141 + u32(4)] = result_35[i32(1)][i32(1)];
+    outputs_0[_S141 + u32(5)] = result_35[i32(1)][i32(2)];
+    outputs_0[_S141 + u32(6)] = result_35[i32(2)][i32(0)];
+    outputs_0[_S141 + u32(7)] = result_35[i32(2)][i32(1)];
+    outputs_0[_S141 + u32(8)] = result_35[i32(2)][i32(2)];
     return;
 }
 
@@ -1240,26 +1459,26 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_51 : vec3<u32>)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_61 : vec3<u32>)
 {
-    var _S118 : u32 = thread_51.x;
-    var start_47 : u32 = _S118 * u32(2);
-    outputs_0[_S118] = skin_classic_sharpened_shadow_0(inputs_0[start_47], inputs_0[start_47 + u32(1)]);
+    var _S142 : u32 = thread_61.x;
+    var start_55 : u32 = _S142 * u32(2);
+    outputs_0[_S142] = skin_classic_sharpened_shadow_0(inputs_0[start_55], inputs_0[start_55 + u32(1)]);
     return;
 }
 
-fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_4 : f32,  radius_mm_2 : f32,  strength_2 : f32) -> f32
+fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_5 : f32,  radius_mm_2 : f32,  strength_2 : f32) -> f32
 {
-    return strength_2 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_4, 0.0f);
+    return strength_2 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_5, 0.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_52 : vec3<u32>)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_62 : vec3<u32>)
 {
-    var _S119 : u32 = thread_52.x;
-    var start_48 : u32 = _S119 * u32(4);
-    outputs_0[_S119] = skin_classic_deep_scatter_0(inputs_0[start_48], inputs_0[start_48 + u32(1)], inputs_0[start_48 + u32(2)], inputs_0[start_48 + u32(3)]);
+    var _S143 : u32 = thread_62.x;
+    var start_56 : u32 = _S143 * u32(4);
+    outputs_0[_S143] = skin_classic_deep_scatter_0(inputs_0[start_56], inputs_0[start_56 + u32(1)], inputs_0[start_56 + u32(2)], inputs_0[start_56 + u32(3)]);
     return;
 }
 

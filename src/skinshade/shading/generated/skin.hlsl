@@ -121,6 +121,38 @@ float3 skin_energy_gain(float3 albedo, float3 rms_radius_mm, float3 curvature_pe
     return 1.0f + (1.0f - albedo) * scaled_curvature_0 / sqrt(1.0f + bound_0 * bound_0);
 }
 
+float3 skin_root_absorption(float3 albedo)
+{
+    float3 bounded_0 = saturate(albedo);
+    float3 s_1 = 6.0f * (1.0f - bounded_0) / (7.0f + sqrt(25.0f + 24.0f * bounded_0));
+    return s_1 / (1.0f - s_1);
+}
+
+float skin_inner_cosine(float cosine, float inverse_ior)
+{
+    return sqrt(max(1.0f - (1.0f - cosine * cosine) * inverse_ior * inverse_ior, 0.0f));
+}
+
+float3 skin_mean_escape(float3 slope, float low, float high)
+{
+    return (1.0f + slope * (0.36391723155975342f * high + 0.63608276844024658f * low)) / ((1.0f + slope * low) * (1.0f + slope * high));
+}
+
+float3 skin_view_factor(float3 albedo, float n_dot_v, float reflectance)
+{
+    float root_0 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
+    float inverse_ior_1 = (1.0f - root_0) / (1.0f + root_0);
+    float3 slope_2 = 2.0f * skin_root_absorption(albedo);
+    return 1.0f / ((1.0f + slope_2 * skin_inner_cosine(saturate(n_dot_v), inverse_ior_1)) * skin_mean_escape(slope_2, skin_inner_cosine(0.35505104064941406f, inverse_ior_1), skin_inner_cosine(0.84494894742965698f, inverse_ior_1)));
+}
+
+float3 skin_closure_view_factor(float3 albedo, float n_dot_v)
+{
+    float3 slope_3 = 2.0f * skin_root_absorption(albedo);
+    float3 diffuse_0 = skin_mean_escape(slope_3, 0.35505104064941406f, 0.84494894742965698f);
+    return (diffuse_0 + 1.0f / (1.0f + slope_3 * (0.12999999523162842f + 0.75f * saturate(n_dot_v)))) / (diffuse_0 + skin_mean_escape(slope_3, 0.39628827571868896f, 0.76371169090270996f));
+}
+
 float skin_linear_depth(float depth, float4x4 projection)
 {
     return abs((depth * projection[int(3)][int(3)] - projection[int(2)][int(3)]) / (projection[int(2)][int(2)] - depth * projection[int(3)][int(2)]));
@@ -214,8 +246,8 @@ float3 skin_unit_vectors(float3 v)
 
 float3 skin_shadow_receiver(float3 position_mm, float3 normal, float3 to_light, float curvature_per_mm)
 {
-    float cosine_0 = dot(normal, to_light);
-    return position_mm + skin_unit_vectors(to_light - normal * cosine_0) * min(max(- cosine_0, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f);
+    float cosine_1 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * cosine_1) * min(max(- cosine_1, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f);
 }
 
 float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm, float3 light_right, float3 light_up)
@@ -231,8 +263,8 @@ float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm,
     {
         handedness_0 = 1.0f;
     }
-    float2 slope_1 = float2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f);
-    return slope_1 / max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f);
+    float2 slope_4 = float2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f);
+    return slope_4 / max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f);
 }
 
 float skin_shadow_occluder_depth(float depth_mm, float faces_light)
@@ -247,9 +279,9 @@ float skin_shadow_compare(Texture2D<float4 > depth_map, SamplerState depth_map_s
     float2 weights_1 = position_0 - corner_0;
     float2 _S6 = (float2)0.0f;
     float2 _S7 = map_extent - 1.0f;
-    float2 low_0 = (clamp(corner_0, _S6, _S7) + 0.5f) / map_extent;
-    float2 high_0 = (clamp(corner_0 + 1.0f, _S6, _S7) + 0.5f) / map_extent;
-    float4 lit_0 = step(float4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), float4(skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, low_0, 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, float2(high_0.x, low_0.y), 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, float2(low_0.x, high_0.y), 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, high_0, 0.0f).x, projection)));
+    float2 low_1 = (clamp(corner_0, _S6, _S7) + 0.5f) / map_extent;
+    float2 high_1 = (clamp(corner_0 + 1.0f, _S6, _S7) + 0.5f) / map_extent;
+    float4 lit_0 = step(float4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), float4(skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, low_1, 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, float2(high_1.x, low_1.y), 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, float2(low_1.x, high_1.y), 0.0f).x, projection), skin_linear_depth(depth_map.SampleLevel(depth_map_sampler, high_1, 0.0f).x, projection)));
     float2 rows_1 = lerp(lit_0.xz, lit_0.yw, (float2)weights_1.x);
     return lerp(rows_1.x, rows_1.y, weights_1.y);
 }
@@ -406,12 +438,12 @@ float skin_specular(float3 normal, float3 view, float3 light, float gloss, float
 {
     float3 half_vector_0 = skin_unit_vectors(view + light);
     float n_dot_l_3 = saturate(dot(normal, light));
-    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    float n_dot_v_4 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
     float n_dot_h_1 = saturate(dot(normal, half_vector_0));
     float wide_0 = skin_specular_power(gloss);
     float grazing_0 = 1.0f - saturate(dot(view, half_vector_0));
     float grazing2_0 = grazing_0 * grazing_0;
-    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
 }
 
 float3 skin_reflected(float3 normal, float3 view)
@@ -431,16 +463,73 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
+float skin_alpha_from_gloss(float gloss)
+{
+    return sqrt(2.0f / (skin_specular_power(gloss) + 2.0f));
+}
+
+float skin_second_gloss(float gloss)
+{
+    return min(2.0f * gloss, 1.0f);
+}
+
+float skin_dielectric_fresnel(float cosine, float reflectance)
+{
+    float root_1 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
+    float _S18 = 1.0f - root_1;
+    float excess_0 = 4.0f * root_1 / (_S18 * _S18);
+    float _S19 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
+    float across_0 = excess_0 / (_S19 * _S19);
+    float along_0 = (cosine * _S19 - 1.0f) / (cosine * excess_0 / _S19 + 1.0f);
+    return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
+}
+
+float skin_coat_highlight(float3 normal, float3 view, float3 light, float gloss, float reflectance)
+{
+    float3 half_vector_1 = skin_unit_vectors(view + light);
+    float n_dot_l_4 = saturate(dot(normal, light));
+    float n_dot_v_7 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    float n_dot_h_2 = saturate(dot(normal, half_vector_1));
+    float v_dot_h_0 = saturate(dot(view, half_vector_1));
+    float squared_0 = 2.0f / (skin_specular_power(gloss) + 2.0f);
+    float3 side_0 = cross(normal, half_vector_1);
+    float sine2_0;
+    if(n_dot_h_2 > 0.0f)
+    {
+        sine2_0 = dot(side_0, side_0);
+    }
+    else
+    {
+        sine2_0 = 1.0f;
+    }
+    float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
+    float _S20 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+}
+
+float2 skin_coat(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
+{
+    float3 entry_0 = lut.SampleLevel(lut_sampler, saturate((float2(sqrt(saturate(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw), 0.0f).xyz;
+    float _S21 = entry_0.z;
+    return float2(clamp(_S21 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S21), 0.0f, _S21), entry_0.y);
+}
+
+float3 skin_coat_direction(float3 normal, float3 view, float pull)
+{
+    float3 mirrored_0 = skin_reflected(normal, view);
+    return skin_unit_vectors(mirrored_0 + pull * (normal - mirrored_0));
+}
+
 float skin_turns(float y, float x)
 {
     float2 size_0 = abs(float2(x, y));
-    float _S18 = size_0.x;
-    float _S19 = size_0.y;
-    float r_0 = min(_S18, _S19) / max(max(_S18, _S19), 1.00000000317107685e-30f);
+    float _S22 = size_0.x;
+    float _S23 = size_0.y;
+    float r_0 = min(_S22, _S23) / max(max(_S22, _S23), 1.00000000317107685e-30f);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     float turns_1;
-    if(_S19 > _S18)
+    if(_S23 > _S22)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -467,9 +556,9 @@ float skin_turns(float y, float x)
 
 float2 skin_equirectangular_uv(float3 direction)
 {
-    float _S20 = direction.x;
-    float _S21 = direction.z;
-    return float2(0.5f + skin_turns(_S21, _S20), 2.0f * skin_turns(sqrt(_S20 * _S20 + _S21 * _S21), direction.y));
+    float _S24 = direction.x;
+    float _S25 = direction.z;
+    return float2(0.5f + skin_turns(_S25, _S24), 2.0f * skin_turns(sqrt(_S24 * _S24 + _S25 * _S25), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -480,10 +569,10 @@ float skin_reflection_level(float power)
 float3 skin_preconvolved(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S22 = min(floor(level_0), 3.0f);
+    float _S26 = min(floor(level_0), 3.0f);
     float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    float _S23 = uv.x;
-    return lerp(preconvolved.SampleLevel(preconvolved_sampler, float2(_S23, (_S22 + row_1) / 5.0f), 0.0f).xyz, preconvolved.SampleLevel(preconvolved_sampler, float2(_S23, (_S22 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_0 - _S22));
+    float _S27 = uv.x;
+    return lerp(preconvolved.SampleLevel(preconvolved_sampler, float2(_S27, (_S26 + row_1) / 5.0f), 0.0f).xyz, preconvolved.SampleLevel(preconvolved_sampler, float2(_S27, (_S26 + 1.0f + row_1) / 5.0f), 0.0f).xyz, (float3)(level_0 - _S26));
 }
 
 float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float3 direction, float gloss)
@@ -493,25 +582,30 @@ float3 skin_reflected_radiance(Texture2D<float4 > preconvolved, SamplerState pre
     return lerp(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0f), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0f), (float3)0.05000000074505806f);
 }
 
+float3 skin_coat_radiance(Texture2D<float4 > preconvolved, SamplerState preconvolved_sampler, float3 direction, float n_dot_v, float gloss)
+{
+    return skin_preconvolved(preconvolved, preconvolved_sampler, skin_equirectangular_uv(direction), (skin_specular_power(gloss) + 2.0f) / (8.0f * max(n_dot_v, 0.00999999977648258f)));
+}
+
 float3 skin_filmic(float3 light)
 {
     float3 x_2 = max(light - 0.00400000018998981f, (float3)0.0f);
-    float3 _S24 = 6.19999980926513672f * x_2;
-    return x_2 * (_S24 + 0.5f) / (x_2 * (_S24 + 1.70000004768371582f) + 0.05999999865889549f);
+    float3 _S28 = 6.19999980926513672f * x_2;
+    return x_2 * (_S28 + 0.5f) / (x_2 * (_S28 + 1.70000004768371582f) + 0.05999999865889549f);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S25;
+    float _S29;
     if(x <= 0.00313080009073019f)
     {
-        _S25 = 12.92000007629394531f * x;
+        _S29 = 12.92000007629394531f * x;
     }
     else
     {
-        _S25 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S29 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S25;
+    return _S29;
 }
 
 float3 skin_srgb_from_linear(float3 light)
@@ -522,16 +616,16 @@ float3 skin_srgb_from_linear(float3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S26;
+    float _S30;
     if(x <= 0.04044999927282333f)
     {
-        _S26 = x / 12.92000007629394531f;
+        _S30 = x / 12.92000007629394531f;
     }
     else
     {
-        _S26 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S30 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S26;
+    return _S30;
 }
 
 float3 skin_linear_from_srgb(float3 display)

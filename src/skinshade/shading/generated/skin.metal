@@ -124,6 +124,42 @@ float3 skin_energy_gain(float3 albedo, float3 rms_radius_mm, float3 curvature_pe
     return _S5 + (_S5 - albedo) * scaled_curvature_0 / sqrt(_S5 + bound_0 * bound_0);
 }
 
+float3 skin_root_absorption(float3 albedo)
+{
+    float3 bounded_0 = saturate(albedo);
+    float3 _S6 = float3(1.0f) ;
+    float3 s_1 = float3(6.0f)  * (_S6 - bounded_0) / (float3(7.0f)  + sqrt(float3(25.0f)  + float3(24.0f)  * bounded_0));
+    return s_1 / (_S6 - s_1);
+}
+
+float skin_inner_cosine(float cosine, float inverse_ior)
+{
+    return sqrt(max(1.0f - (1.0f - cosine * cosine) * inverse_ior * inverse_ior, 0.0f));
+}
+
+float3 skin_mean_escape(float3 slope, float low, float high)
+{
+    float3 _S7 = float3(1.0f) ;
+    return (_S7 + slope * float3((0.36391723155975342f * high + 0.63608276844024658f * low)) ) / ((_S7 + slope * float3(low) ) * (_S7 + slope * float3(high) ));
+}
+
+float3 skin_view_factor(float3 albedo, float n_dot_v, float reflectance)
+{
+    float root_0 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
+    float inverse_ior_1 = (1.0f - root_0) / (1.0f + root_0);
+    float3 slope_2 = float3(2.0f)  * skin_root_absorption(albedo);
+    float3 _S8 = float3(1.0f) ;
+    return _S8 / ((_S8 + slope_2 * float3(skin_inner_cosine(saturate(n_dot_v), inverse_ior_1)) ) * skin_mean_escape(slope_2, skin_inner_cosine(0.35505104064941406f, inverse_ior_1), skin_inner_cosine(0.84494894742965698f, inverse_ior_1)));
+}
+
+float3 skin_closure_view_factor(float3 albedo, float n_dot_v)
+{
+    float3 slope_3 = float3(2.0f)  * skin_root_absorption(albedo);
+    float3 diffuse_0 = skin_mean_escape(slope_3, 0.35505104064941406f, 0.84494894742965698f);
+    float3 _S9 = float3(1.0f) ;
+    return (diffuse_0 + _S9 / (_S9 + slope_3 * float3((0.12999999523162842f + 0.75f * saturate(n_dot_v))) )) / (diffuse_0 + skin_mean_escape(slope_3, 0.39628827571868896f, 0.76371169090270996f));
+}
+
 float skin_linear_depth(float depth, float4x4 projection)
 {
     return abs((depth * projection[int(3)][int(3)] - projection[int(2)][int(3)]) / (projection[int(2)][int(2)] - depth * projection[int(3)][int(2)]));
@@ -167,8 +203,8 @@ float3 skin_transmittance(float thickness_mm, float3 albedo, float3 sigma_per_mm
 {
     float3 a2_0 = albedo * albedo;
     float3 decay_0 = exp(- sigma_per_mm * float3(thickness_mm) );
-    float3 _S6 = float3(1.0f) ;
-    return (_S6 - a2_0) * decay_0 / (_S6 - a2_0 * decay_0 * decay_0);
+    float3 _S10 = float3(1.0f) ;
+    return (_S10 - a2_0) * decay_0 / (_S10 - a2_0 * decay_0 * decay_0);
 }
 
 float skin_classic_transmittance(float thickness_mm, float radius_mm)
@@ -196,8 +232,8 @@ float skin_smoothstep(float p)
 float4 skin_light_coordinates(float3 position_mm, float4x4 view, float4x4 projection)
 {
     float4 p_1 = float4(position_mm, 1.0f);
-    float _S7 = dot(view[int(2)], p_1);
-    float4 in_view_0 = float4(dot(view[int(0)], p_1), dot(view[int(1)], p_1), _S7, 1.0f);
+    float _S11 = dot(view[int(2)], p_1);
+    float4 in_view_0 = float4(dot(view[int(0)], p_1), dot(view[int(1)], p_1), _S11, 1.0f);
     float w_0 = dot(projection[int(3)], in_view_0);
     float w_1;
     if((abs(w_0)) < 9.99999971718068537e-10f)
@@ -208,7 +244,7 @@ float4 skin_light_coordinates(float3 position_mm, float4x4 view, float4x4 projec
     {
         w_1 = w_0;
     }
-    return float4(0.5f + 0.5f * (dot(projection[int(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection[int(1)], in_view_0) / w_1), abs(_S7), w_1);
+    return float4(0.5f + 0.5f * (dot(projection[int(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection[int(1)], in_view_0) / w_1), abs(_S11), w_1);
 }
 
 float3 skin_unit_vectors(float3 v)
@@ -218,8 +254,8 @@ float3 skin_unit_vectors(float3 v)
 
 float3 skin_shadow_receiver(float3 position_mm, float3 normal, float3 to_light, float curvature_per_mm)
 {
-    float cosine_0 = dot(normal, to_light);
-    return position_mm + skin_unit_vectors(to_light - normal * float3(cosine_0) ) * float3(min(max(- cosine_0, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f)) ;
+    float cosine_1 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * float3(cosine_1) ) * float3(min(max(- cosine_1, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f)) ;
 }
 
 float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm, float3 light_right, float3 light_up)
@@ -235,8 +271,8 @@ float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm,
     {
         handedness_0 = 1.0f;
     }
-    float2 slope_1 = float2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / float2(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f)) ;
-    return slope_1 / float2(max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f)) ;
+    float2 slope_4 = float2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / float2(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f)) ;
+    return slope_4 / float2(max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f)) ;
 }
 
 float skin_shadow_occluder_depth(float depth_mm, float faces_light)
@@ -246,16 +282,16 @@ float skin_shadow_occluder_depth(float depth_mm, float faces_light)
 
 float skin_shadow_compare(texture2d<float, access::sample> depth_map, sampler depth_map_sampler, float2 map_extent, float4x4 projection, float2 uv, float receiver_mm)
 {
-    float2 _S8 = float2(0.5f) ;
-    float2 position_0 = uv * map_extent - _S8;
+    float2 _S12 = float2(0.5f) ;
+    float2 position_0 = uv * map_extent - _S12;
     float2 corner_0 = floor(position_0);
     float2 weights_1 = position_0 - corner_0;
-    float2 _S9 = float2(0.0f) ;
-    float2 _S10 = float2(1.0f) ;
-    float2 _S11 = map_extent - _S10;
-    float2 low_0 = (clamp(corner_0, _S9, _S11) + _S8) / map_extent;
-    float2 high_0 = (clamp(corner_0 + _S10, _S9, _S11) + _S8) / map_extent;
-    float4 lit_0 = step(float4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), float4(skin_linear_depth(((depth_map).sample((depth_map_sampler), (low_0), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (float2(high_0.x, low_0.y)), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (float2(low_0.x, high_0.y)), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (high_0), level((0.0f)))).x, projection)));
+    float2 _S13 = float2(0.0f) ;
+    float2 _S14 = float2(1.0f) ;
+    float2 _S15 = map_extent - _S14;
+    float2 low_1 = (clamp(corner_0, _S13, _S15) + _S12) / map_extent;
+    float2 high_1 = (clamp(corner_0 + _S14, _S13, _S15) + _S12) / map_extent;
+    float4 lit_0 = step(float4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), float4(skin_linear_depth(((depth_map).sample((depth_map_sampler), (low_1), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (float2(high_1.x, low_1.y)), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (float2(low_1.x, high_1.y)), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (high_1), level((0.0f)))).x, projection)));
     float2 rows_1 = mix(lit_0.xz, lit_0.yw, float2(weights_1.x) );
     return mix(rows_1.x, rows_1.y, weights_1.y);
 }
@@ -263,8 +299,8 @@ float skin_shadow_compare(texture2d<float, access::sample> depth_map, sampler de
 float skin_shadow_filter(texture2d<float, access::sample> depth_map, sampler depth_map_sampler, float2 map_extent, float4x4 view, float4x4 projection, float3 position_mm, float3 normal, float3 to_light, float curvature_per_mm, float filter_width_mm, float bias_mm, int taps)
 {
     float4 coordinates_0 = skin_light_coordinates(skin_shadow_receiver(position_mm, normal, to_light, curvature_per_mm), view, projection);
-    float2 _S12 = skin_shadow_slope(normal, to_light, curvature_per_mm, view[int(0)].xyz, view[int(1)].xyz);
-    float2 _S13 = float2(0.5f)  * float2(abs(projection[int(0)].x), abs(projection[int(1)].y)) / float2(abs(coordinates_0.w)) ;
+    float2 _S16 = skin_shadow_slope(normal, to_light, curvature_per_mm, view[int(0)].xyz, view[int(1)].xyz);
+    float2 _S17 = float2(0.5f)  * float2(abs(projection[int(0)].x), abs(projection[int(1)].y)) / float2(abs(coordinates_0.w)) ;
     int tap_1 = int(0);
     float total_3 = 0.0f;
     for(;;)
@@ -286,7 +322,7 @@ float skin_shadow_filter(texture2d<float, access::sample> depth_map, sampler dep
             disk_0 = SKIN_SHADOW_DISK_48[min(tap_1, int(47))];
         }
         float2 across_mm_0 = float2((0.5f * filter_width_mm))  * disk_0;
-        float total_4 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S13, coordinates_0.z - bias_mm + dot(_S12, across_mm_0));
+        float total_4 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S17, coordinates_0.z - bias_mm + dot(_S16, across_mm_0));
         tap_1 = tap_1 + int(1);
         total_3 = total_4;
     }
@@ -305,17 +341,17 @@ float skin_sharpened_shadow(float shadow_filter, float sharpening)
 
 float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
 {
-    float _S14 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
-    float _S15 = max(depth_mm - mean_depth_mm, 0.0f);
-    return _S14 / (_S14 + _S15 * _S15);
+    float _S18 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    float _S19 = max(depth_mm - mean_depth_mm, 0.0f);
+    return _S18 / (_S18 + _S19 * _S19);
 }
 
 float3 skin_sh_bands(float3x3 sh, float3 d)
 {
-    float _S16 = d.y;
-    float _S17 = d.z;
-    float _S18 = d.x;
-    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S16 + sh[int(0)].z * _S17 + sh[int(1)].x * _S18), 1.09254848957061768f * (sh[int(1)].y * _S18 * _S16 + sh[int(1)].z * _S16 * _S17 + sh[int(2)].y * _S18 * _S17) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S17 * _S17 - dot(d, d)) + 0.54627424478530884f * sh[int(2)].z * (_S18 * _S18 - _S16 * _S16));
+    float _S20 = d.y;
+    float _S21 = d.z;
+    float _S22 = d.x;
+    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S20 + sh[int(0)].z * _S21 + sh[int(1)].x * _S22), 1.09254848957061768f * (sh[int(1)].y * _S22 * _S20 + sh[int(1)].z * _S20 * _S21 + sh[int(2)].y * _S22 * _S21) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S21 * _S21 - dot(d, d)) + 0.54627424478530884f * sh[int(2)].z * (_S22 * _S22 - _S20 * _S20));
 }
 
 float skin_ambient_channel(float3x3 sh, float3 normal, float3 band_transfer)
@@ -357,8 +393,8 @@ float3 skin_transferred_irradiance(float3x3 ambient_transfer_red, float3x3 ambie
 float skin_reflected_visibility(float3x3 sky_harmonics, float3 normal, float3 direction)
 {
     float3 bands_0 = skin_sh_bands(sky_harmonics, direction);
-    float _S19 = max(dot(normal, direction), 0.0f);
-    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S19 * (2.0f + 1.875f * _S19)) * 0.07957746833562851f));
+    float _S23 = max(dot(normal, direction), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S23 * (2.0f + 1.875f * _S23)) * 0.07957746833562851f));
 }
 
 float3 skin_occluded_reflection(float3 sky, float3 bounced, float3x3 sky_harmonics, float3 normal, float3 direction)
@@ -396,28 +432,28 @@ float skin_gloss_of_relief(float gloss, float normal_length)
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S20 = max(roughness, 0.00100000004749745f);
-    float r2_0 = _S20 * _S20;
+    float _S24 = max(roughness, 0.00100000004749745f);
+    float r2_0 = _S24 * _S24;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = rsqrt(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    float _S21 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S21 * n_dot_l) * (k_0 + _S21 * n_dot_v)));
+    float _S25 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S25 * n_dot_l) * (k_0 + _S25 * n_dot_v)));
 }
 
 float skin_specular(float3 normal, float3 view, float3 light, float gloss, float reflectance)
 {
     float3 half_vector_0 = skin_unit_vectors(view + light);
     float n_dot_l_3 = saturate(dot(normal, light));
-    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    float n_dot_v_4 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
     float n_dot_h_1 = saturate(dot(normal, half_vector_0));
     float wide_0 = skin_specular_power(gloss);
     float grazing_0 = 1.0f - saturate(dot(view, half_vector_0));
     float grazing2_0 = grazing_0 * grazing_0;
-    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
 }
 
 float3 skin_reflected(float3 normal, float3 view)
@@ -437,16 +473,73 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
+float skin_alpha_from_gloss(float gloss)
+{
+    return sqrt(2.0f / (skin_specular_power(gloss) + 2.0f));
+}
+
+float skin_second_gloss(float gloss)
+{
+    return min(2.0f * gloss, 1.0f);
+}
+
+float skin_dielectric_fresnel(float cosine, float reflectance)
+{
+    float root_1 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
+    float _S26 = 1.0f - root_1;
+    float excess_0 = 4.0f * root_1 / (_S26 * _S26);
+    float _S27 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
+    float across_0 = excess_0 / (_S27 * _S27);
+    float along_0 = (cosine * _S27 - 1.0f) / (cosine * excess_0 / _S27 + 1.0f);
+    return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
+}
+
+float skin_coat_highlight(float3 normal, float3 view, float3 light, float gloss, float reflectance)
+{
+    float3 half_vector_1 = skin_unit_vectors(view + light);
+    float n_dot_l_4 = saturate(dot(normal, light));
+    float n_dot_v_7 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    float n_dot_h_2 = saturate(dot(normal, half_vector_1));
+    float v_dot_h_0 = saturate(dot(view, half_vector_1));
+    float squared_0 = 2.0f / (skin_specular_power(gloss) + 2.0f);
+    float3 side_0 = cross(normal, half_vector_1);
+    float sine2_0;
+    if(n_dot_h_2 > 0.0f)
+    {
+        sine2_0 = dot(side_0, side_0);
+    }
+    else
+    {
+        sine2_0 = 1.0f;
+    }
+    float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
+    float _S28 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S28 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S28 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+}
+
+float2 skin_coat(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
+{
+    float3 entry_0 = ((lut).sample((lut_sampler), (saturate((float2(sqrt(saturate(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw)), level((0.0f)))).xyz;
+    float _S29 = entry_0.z;
+    return float2(clamp(_S29 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S29), 0.0f, _S29), entry_0.y);
+}
+
+float3 skin_coat_direction(float3 normal, float3 view, float pull)
+{
+    float3 mirrored_0 = skin_reflected(normal, view);
+    return skin_unit_vectors(mirrored_0 + float3(pull)  * (normal - mirrored_0));
+}
+
 float skin_turns(float y, float x)
 {
     float2 size_0 = abs(float2(x, y));
-    float _S22 = size_0.x;
-    float _S23 = size_0.y;
-    float r_0 = min(_S22, _S23) / max(max(_S22, _S23), 1.00000000317107685e-30f);
+    float _S30 = size_0.x;
+    float _S31 = size_0.y;
+    float r_0 = min(_S30, _S31) / max(max(_S30, _S31), 1.00000000317107685e-30f);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     float turns_1;
-    if(_S23 > _S22)
+    if(_S31 > _S30)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -467,9 +560,9 @@ float skin_turns(float y, float x)
 
 float2 skin_equirectangular_uv(float3 direction)
 {
-    float _S24 = direction.x;
-    float _S25 = direction.z;
-    return float2(0.5f + skin_turns(_S25, _S24), 2.0f * skin_turns(sqrt(_S24 * _S24 + _S25 * _S25), direction.y));
+    float _S32 = direction.x;
+    float _S33 = direction.z;
+    return float2(0.5f + skin_turns(_S33, _S32), 2.0f * skin_turns(sqrt(_S32 * _S32 + _S33 * _S33), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -480,10 +573,10 @@ float skin_reflection_level(float power)
 float3 skin_preconvolved(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S26 = min(floor(level_0), 3.0f);
+    float _S34 = min(floor(level_0), 3.0f);
     float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    float _S27 = uv.x;
-    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S27, (_S26 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S27, (_S26 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_0 - _S26)) );
+    float _S35 = uv.x;
+    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S35, (_S34 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S35, (_S34 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_0 - _S34)) );
 }
 
 float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float3 direction, float gloss)
@@ -493,25 +586,30 @@ float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sa
     return mix(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0f), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0f), float3(0.05000000074505806f) );
 }
 
+float3 skin_coat_radiance(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float3 direction, float n_dot_v, float gloss)
+{
+    return skin_preconvolved(preconvolved, preconvolved_sampler, skin_equirectangular_uv(direction), (skin_specular_power(gloss) + 2.0f) / (8.0f * max(n_dot_v, 0.00999999977648258f)));
+}
+
 float3 skin_filmic(float3 light)
 {
     float3 x_2 = max(light - float3(0.00400000018998981f) , float3(0.0f) );
-    float3 _S28 = float3(6.19999980926513672f)  * x_2;
-    return x_2 * (_S28 + float3(0.5f) ) / (x_2 * (_S28 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
+    float3 _S36 = float3(6.19999980926513672f)  * x_2;
+    return x_2 * (_S36 + float3(0.5f) ) / (x_2 * (_S36 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S29;
+    float _S37;
     if(x <= 0.00313080009073019f)
     {
-        _S29 = 12.92000007629394531f * x;
+        _S37 = 12.92000007629394531f * x;
     }
     else
     {
-        _S29 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S37 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S29;
+    return _S37;
 }
 
 float3 skin_srgb_from_linear(float3 light)
@@ -522,16 +620,16 @@ float3 skin_srgb_from_linear(float3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S30;
+    float _S38;
     if(x <= 0.04044999927282333f)
     {
-        _S30 = x / 12.92000007629394531f;
+        _S38 = x / 12.92000007629394531f;
     }
     else
     {
-        _S30 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S38 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S30;
+    return _S38;
 }
 
 float3 skin_linear_from_srgb(float3 display)

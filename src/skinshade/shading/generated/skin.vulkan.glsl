@@ -1,18 +1,18 @@
 // The skinshade library, generated from shading/*.slang by `python -m codegen`.
-vec3 skin_saturate_0(vec3 x)
-{
-    return clamp(x, vec3(0.0), vec3(1.0));
-}
-
 const vec2  SKIN_SHADOW_DISK_48[48] = vec2[](vec2(0.08340597897768021, 0.0), vec2(-0.10671073943376541, 0.09775578230619431), vec2(0.01636306010186672, -0.1864485889673233), vec2(0.13498826324939728, 0.17606829106807709), vec2(-0.24817833304405212, -0.04389924928545952), vec2(0.2355383038520813, -0.14983019232749939), vec2(-0.07893361896276474, 0.29362913966178894), vec2(-0.15082783997058868, -0.29040983319282532), vec2(0.32788398861885071, 0.11974270641803741), vec2(-0.34179624915122986, 0.14108851552009583), vec2(0.16510665416717529, -0.35282331705093384), vec2(0.12226484715938568, 0.38979959487915039), vec2(-0.36929354071617126, -0.21401314437389374), vec2(0.4341655969619751, -0.09545008838176727), vec2(-0.2655525803565979, 0.37772122025489807), vec2(-0.06148780882358551, -0.47449716925621033), vec2(0.37834861874580383, 0.31887263059616089), vec2(-0.51034331321716309, 0.02110430039465427), vec2(0.37315717339515686, -0.37134122848510742), vec2(-0.02502750046551228, 0.54124277830123901), vec2(-0.3568427562713623, -0.42761686444282532), vec2(0.56674838066101074, 0.0762551873922348), vec2(-0.48148587346076965, 0.33500534296035767), vec2(0.13193005323410034, -0.58644229173660278), vec2(0.30600649118423462, 0.53402209281921387), vec2(-0.59994620084762573, -0.1913992166519165), vec2(0.58451014757156372, -0.27005851268768311), vec2(-0.25400349497795105, 0.60692840814590454), vec2(-0.22741274535655975, -0.63226538896560669), vec2(0.60710901021957397, 0.31907948851585388), vec2(-0.6766400933265686, 0.17836016416549683), vec2(0.38596493005752563, -0.60026413202285767), vec2(0.12322843074798584, 0.71703100204467773), vec2(-0.58622837066650391, -0.45400822162628174), vec2(0.75288873910903931, -0.06237528845667839), vec2(-0.52258288860321045, 0.56489682197570801), vec2(0.0038233099039644, -0.78373259305953979), vec2(0.53622621297836304, 0.59111112356185913), vec2(-0.80917233228683472, -0.07499390840530396), vec2(0.65910446643829346, -0.50023680925369263), vec2(-0.15080370008945465, 0.82895052433013916), vec2(-0.45701694488525391, -0.72624564170837402), vec2(0.84303575754165649, 0.23104114830493927), vec2(-0.79258495569229126, 0.40674149990081787), vec2(0.31582745909690857, -0.85189038515090942), vec2(0.34976369142532349, 0.85918575525283813), vec2(-0.85765814781188965, -0.40646019577980042), vec2(0.93254464864730835, -0.28751349449157715));
 const vec2  SKIN_SHADOW_DISK_16[16] = vec2[](vec2(0.14471825957298279, 0.0), vec2(-0.18583981692790985, 0.170244500041008), vec2(0.02860930934548378, -0.32598838210105896), vec2(0.23701368272304535, 0.30914238095283508), vec2(-0.43773865699768066, -0.07742980122566223), vec2(0.41749045252799988, -0.26557326316833496), vec2(-0.14065909385681152, 0.52324479818344116), vec2(-0.27035140991210938, -0.52054518461227417), vec2(0.59152573347091675, 0.21602423489093781), vec2(-0.6210860013961792, 0.25637525320053101), vec2(0.30247461795806885, -0.64637070894241333), vec2(0.22609943151473999, 0.72084063291549683), vec2(-0.69051814079284668, -0.40016940236091614), vec2(0.82290405035018921, -0.18091315031051636), vec2(-0.5123591423034668, 0.7287781834602356), vec2(-0.12196926772594452, -0.94122844934463501));
-float skin_saturate_1(float x)
+const vec2  SKIN_POISSON_32[32] = vec2[](vec2(-0.02096010930836201, 0.01299272011965513), vec2(0.69517123699188232, -0.04910685122013092), vec2(0.28034570813179016, 0.66283899545669556), vec2(0.03107489086687565, -0.69704329967498779), vec2(-0.49904009699821472, 0.54098159074783325), vec2(-0.70408397912979126, -0.14709833264350891), vec2(0.53451526165008545, -0.56702268123626709), vec2(-0.48678380250930786, -0.61486828327178955), vec2(0.68837428092956543, 0.41418349742889404), vec2(-0.14107078313827515, 0.8102262020111084), vec2(0.21897397935390472, -0.3123532235622406), vec2(0.31406453251838684, 0.24951401352882385), vec2(-0.83115619421005249, 0.28457203507423401), vec2(-0.40699386596679688, 0.14198443293571472), vec2(-0.10747358947992325, 0.41360348463058472), vec2(-0.19334819912910461, -0.34689420461654663), vec2(0.80768358707427979, -0.37000563740730286), vec2(0.33436411619186401, -0.82407790422439575), vec2(-0.79105347394943237, -0.45378401875495911), vec2(-0.23485180735588074, -0.86940687894821167), vec2(0.37255629897117615, -0.05855973064899445), vec2(0.5726354718208313, 0.72984015941619873), vec2(0.8966706395149231, 0.17047682404518127), vec2(-0.43273070454597473, 0.81860679388046265), vec2(0.1212853416800499, 0.92984902858734131), vec2(-0.42749753594398499, -0.15111121535301208), vec2(-0.94129812717437744, 0.00735718011856079), vec2(0.52211439609527588, -0.28702935576438904), vec2(-0.79033631086349487, 0.5402228832244873), vec2(-0.23410981893539429, -0.59940856695175171), vec2(0.28244560956954956, -0.563071608543396), vec2(0.57051312923431396, 0.18359191715717316));
+const vec2  SKIN_POISSON_8[8] = vec2[](vec2(-0.16089901328086853, -0.04573699831962585), vec2(-0.89243310689926147, 0.18877510726451874), vec2(-0.17830690741539001, 0.7200586199760437), vec2(-0.53433239459991455, -0.70478206872940063), vec2(0.22474820911884308, -0.69165337085723877), vec2(0.5559992790222168, 0.1985180526971817), vec2(0.64686292409896851, -0.3364911675453186), vec2(0.33836102485656738, 0.67131179571151733));
+float skin_saturate_0(float x)
 {
     return clamp(x, 0.0, 1.0);
 }
 
-const vec2  SKIN_POISSON_32[32] = vec2[](vec2(-0.02096010930836201, 0.01299272011965513), vec2(0.69517123699188232, -0.04910685122013092), vec2(0.28034570813179016, 0.66283899545669556), vec2(0.03107489086687565, -0.69704329967498779), vec2(-0.49904009699821472, 0.54098159074783325), vec2(-0.70408397912979126, -0.14709833264350891), vec2(0.53451526165008545, -0.56702268123626709), vec2(-0.48678380250930786, -0.61486828327178955), vec2(0.68837428092956543, 0.41418349742889404), vec2(-0.14107078313827515, 0.8102262020111084), vec2(0.21897397935390472, -0.3123532235622406), vec2(0.31406453251838684, 0.24951401352882385), vec2(-0.83115619421005249, 0.28457203507423401), vec2(-0.40699386596679688, 0.14198443293571472), vec2(-0.10747358947992325, 0.41360348463058472), vec2(-0.19334819912910461, -0.34689420461654663), vec2(0.80768358707427979, -0.37000563740730286), vec2(0.33436411619186401, -0.82407790422439575), vec2(-0.79105347394943237, -0.45378401875495911), vec2(-0.23485180735588074, -0.86940687894821167), vec2(0.37255629897117615, -0.05855973064899445), vec2(0.5726354718208313, 0.72984015941619873), vec2(0.8966706395149231, 0.17047682404518127), vec2(-0.43273070454597473, 0.81860679388046265), vec2(0.1212853416800499, 0.92984902858734131), vec2(-0.42749753594398499, -0.15111121535301208), vec2(-0.94129812717437744, 0.00735718011856079), vec2(0.52211439609527588, -0.28702935576438904), vec2(-0.79033631086349487, 0.5402228832244873), vec2(-0.23410981893539429, -0.59940856695175171), vec2(0.28244560956954956, -0.563071608543396), vec2(0.57051312923431396, 0.18359191715717316));
-const vec2  SKIN_POISSON_8[8] = vec2[](vec2(-0.16089901328086853, -0.04573699831962585), vec2(-0.89243310689926147, 0.18877510726451874), vec2(-0.17830690741539001, 0.7200586199760437), vec2(-0.53433239459991455, -0.70478206872940063), vec2(0.22474820911884308, -0.69165337085723877), vec2(0.5559992790222168, 0.1985180526971817), vec2(0.64686292409896851, -0.3364911675453186), vec2(0.33836102485656738, 0.67131179571151733));
+vec3 skin_saturate_1(vec3 x)
+{
+    return clamp(x, vec3(0.0), vec3(1.0));
+}
+
 vec2 skin_saturate_2(vec2 x)
 {
     return clamp(x, vec2(0.0), vec2(1.0));
@@ -135,6 +135,38 @@ vec3 skin_energy_gain(vec3 albedo, vec3 rms_radius_mm, vec3 curvature_per_mm)
     return 1.0 + (1.0 - albedo) * scaled_curvature_0 / sqrt(1.0 + bound_0 * bound_0);
 }
 
+vec3 skin_root_absorption(vec3 albedo)
+{
+    vec3 bounded_0 = skin_saturate_1(albedo);
+    vec3 s_1 = 6.0 * (1.0 - bounded_0) / (7.0 + sqrt(25.0 + 24.0 * bounded_0));
+    return s_1 / (1.0 - s_1);
+}
+
+float skin_inner_cosine(float cosine, float inverse_ior)
+{
+    return sqrt(max(1.0 - (1.0 - cosine * cosine) * inverse_ior * inverse_ior, 0.0));
+}
+
+vec3 skin_mean_escape(vec3 slope, float low, float high)
+{
+    return (1.0 + slope * (0.36391723155975342 * high + 0.63608276844024658 * low)) / ((1.0 + slope * low) * (1.0 + slope * high));
+}
+
+vec3 skin_view_factor(vec3 albedo, float n_dot_v, float reflectance)
+{
+    float root_0 = sqrt(clamp(reflectance, 0.0, 0.89999997615814209));
+    float inverse_ior_1 = (1.0 - root_0) / (1.0 + root_0);
+    vec3 slope_2 = 2.0 * skin_root_absorption(albedo);
+    return 1.0 / ((1.0 + slope_2 * skin_inner_cosine(skin_saturate_0(n_dot_v), inverse_ior_1)) * skin_mean_escape(slope_2, skin_inner_cosine(0.35505104064941406, inverse_ior_1), skin_inner_cosine(0.84494894742965698, inverse_ior_1)));
+}
+
+vec3 skin_closure_view_factor(vec3 albedo, float n_dot_v)
+{
+    vec3 slope_3 = 2.0 * skin_root_absorption(albedo);
+    vec3 diffuse_0 = skin_mean_escape(slope_3, 0.35505104064941406, 0.84494894742965698);
+    return (diffuse_0 + 1.0 / (1.0 + slope_3 * (0.12999999523162842 + 0.75 * skin_saturate_0(n_dot_v)))) / (diffuse_0 + skin_mean_escape(slope_3, 0.39628827571868896, 0.76371169090270996));
+}
+
 float skin_linear_depth(float depth, mat4x4 projection)
 {
     return abs((depth * projection[3][3] - projection[2][3]) / (projection[2][2] - depth * projection[3][2]));
@@ -199,7 +231,7 @@ vec3 skin_ambient_deep_scatter(vec3 transmitted, vec3 irradiance_behind, float s
 
 float skin_smoothstep(float p)
 {
-    float q_0 = skin_saturate_1(p);
+    float q_0 = skin_saturate_0(p);
     return q_0 * q_0 * (3.0 - 2.0 * q_0);
 }
 
@@ -228,8 +260,8 @@ vec3 skin_unit_vectors(vec3 v)
 
 vec3 skin_shadow_receiver(vec3 position_mm, vec3 normal, vec3 to_light, float curvature_per_mm)
 {
-    float cosine_0 = dot(normal, to_light);
-    return position_mm + skin_unit_vectors(to_light - normal * cosine_0) * min(max(- cosine_0, 0.0) / max(curvature_per_mm, 0.00100000004749745), 8.0);
+    float cosine_1 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * cosine_1) * min(max(- cosine_1, 0.0) / max(curvature_per_mm, 0.00100000004749745), 8.0);
 }
 
 vec2 skin_shadow_slope(vec3 normal, vec3 to_light, float curvature_per_mm, vec3 light_right, vec3 light_up)
@@ -245,8 +277,8 @@ vec2 skin_shadow_slope(vec3 normal, vec3 to_light, float curvature_per_mm, vec3 
     {
         handedness_0 = 1.0;
     }
-    vec2 slope_1 = vec2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745);
-    return slope_1 / max(length(slope_1) / (1.0 + 7.0 * skin_saturate_1(1.0 + curvature_per_mm / 0.03999999910593033)), 1.0);
+    vec2 slope_4 = vec2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745);
+    return slope_4 / max(length(slope_4) / (1.0 + 7.0 * skin_saturate_0(1.0 + curvature_per_mm / 0.03999999910593033)), 1.0);
 }
 
 float skin_shadow_occluder_depth(float depth_mm, float faces_light)
@@ -261,9 +293,9 @@ float skin_shadow_compare(texture2D depth_map, sampler depth_map_sampler, vec2 m
     vec2 weights_1 = position_0 - corner_0;
     const vec2 _S6 = vec2(0.0);
     vec2 _S7 = map_extent - 1.0;
-    vec2 low_0 = (clamp(corner_0, _S6, _S7) + 0.5) / map_extent;
-    vec2 high_0 = (clamp(corner_0 + 1.0, _S6, _S7) + 0.5) / map_extent;
-    vec4 lit_0 = step(vec4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), vec4(skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (low_0), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (vec2(high_0.x, low_0.y)), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (vec2(low_0.x, high_0.y)), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (high_0), (0.0))).x, projection)));
+    vec2 low_1 = (clamp(corner_0, _S6, _S7) + 0.5) / map_extent;
+    vec2 high_1 = (clamp(corner_0 + 1.0, _S6, _S7) + 0.5) / map_extent;
+    vec4 lit_0 = step(vec4(receiver_mm, receiver_mm, receiver_mm, receiver_mm), vec4(skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (low_1), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (vec2(high_1.x, low_1.y)), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (vec2(low_1.x, high_1.y)), (0.0))).x, projection), skin_linear_depth((textureLod(sampler2D(depth_map,depth_map_sampler), (high_1), (0.0))).x, projection)));
     vec2 rows_1 = mix(lit_0.xz, lit_0.yw, vec2(weights_1.x));
     return mix(rows_1.x, rows_1.y, weights_1.y);
 }
@@ -308,7 +340,7 @@ vec3 skin_diffused_shadow(texture2D lut, sampler lut_sampler, vec4 lut_axes, flo
 
 float skin_sharpened_shadow(float shadow_filter, float sharpening)
 {
-    return skin_smoothstep((0.5 - sin(asin(1.0 - 2.0 * skin_saturate_1(shadow_filter)) / 3.0) - 0.5) * sharpening + 0.5);
+    return skin_smoothstep((0.5 - sin(asin(1.0 - 2.0 * skin_saturate_0(shadow_filter)) / 3.0) - 0.5) * sharpening + 0.5);
 }
 
 float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, float depth_mm)
@@ -366,7 +398,7 @@ float skin_reflected_visibility(mat3x3 sky_harmonics, vec3 normal, vec3 directio
 {
     vec3 bands_0 = skin_sh_bands(sky_harmonics, direction);
     float _S15 = max(dot(normal, direction), 0.0);
-    return skin_saturate_1((bands_0.x + bands_0.y + bands_0.z) / ((0.375 + _S15 * (2.0 + 1.875 * _S15)) * 0.07957746833562851));
+    return skin_saturate_0((bands_0.x + bands_0.y + bands_0.z) / ((0.375 + _S15 * (2.0 + 1.875 * _S15)) * 0.07957746833562851));
 }
 
 vec3 skin_occluded_reflection(vec3 sky, vec3 bounced, mat3x3 sky_harmonics, vec3 normal, vec3 direction)
@@ -387,7 +419,7 @@ float skin_specular_visibility(float n_dot_v, float visibility, float roughness)
     {
         power_0 = 0.0;
     }
-    return skin_saturate_1(power_0 - 1.0 + visibility);
+    return skin_saturate_0(power_0 - 1.0 + visibility);
 }
 
 float skin_specular_power(float gloss)
@@ -419,13 +451,13 @@ float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 float skin_specular(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
 {
     vec3 half_vector_0 = skin_unit_vectors(view + light);
-    float n_dot_l_3 = skin_saturate_1(dot(normal, light));
-    float n_dot_v_2 = clamp(dot(normal, view), 0.00009999999747379, 1.0);
-    float n_dot_h_1 = skin_saturate_1(dot(normal, half_vector_0));
+    float n_dot_l_3 = skin_saturate_0(dot(normal, light));
+    float n_dot_v_4 = clamp(dot(normal, view), 0.00009999999747379, 1.0);
+    float n_dot_h_1 = skin_saturate_0(dot(normal, half_vector_0));
     float wide_0 = skin_specular_power(gloss);
-    float grazing_0 = 1.0 - skin_saturate_1(dot(view, half_vector_0));
+    float grazing_0 = 1.0 - skin_saturate_0(dot(view, half_vector_0));
     float grazing2_0 = grazing_0 * grazing_0;
-    return 3.14159274101257324 * (0.94999998807907104 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0))) * (reflectance + (1.0 - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+    return 3.14159274101257324 * (0.94999998807907104 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, wide_0) + 0.05000000074505806 * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, min(wide_0 * wide_0, 8192.0))) * (reflectance + (1.0 - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
 }
 
 vec3 skin_reflected(vec3 normal, vec3 view)
@@ -435,7 +467,7 @@ vec3 skin_reflected(vec3 normal, vec3 view)
 
 float skin_ambient_specular_fresnel(float n_dot_v, float gloss, float reflectance)
 {
-    float grazing_1 = 1.0 - skin_saturate_1(n_dot_v);
+    float grazing_1 = 1.0 - skin_saturate_0(n_dot_v);
     float grazing2_1 = grazing_1 * grazing_1;
     return reflectance + (1.0 - reflectance) * grazing2_1 * grazing2_1 * grazing_1 / (4.0 - 3.0 * gloss);
 }
@@ -445,16 +477,73 @@ float skin_diffuse_share(float n_dot_v, float gloss, float reflectance)
     return 1.0 - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
+float skin_alpha_from_gloss(float gloss)
+{
+    return sqrt(2.0 / (skin_specular_power(gloss) + 2.0));
+}
+
+float skin_second_gloss(float gloss)
+{
+    return min(2.0 * gloss, 1.0);
+}
+
+float skin_dielectric_fresnel(float cosine, float reflectance)
+{
+    float root_1 = sqrt(clamp(reflectance, 0.0, 0.89999997615814209));
+    float _S18 = 1.0 - root_1;
+    float excess_0 = 4.0 * root_1 / (_S18 * _S18);
+    float _S19 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10);
+    float across_0 = excess_0 / (_S19 * _S19);
+    float along_0 = (cosine * _S19 - 1.0) / (cosine * excess_0 / _S19 + 1.0);
+    return 0.5 * across_0 * across_0 * (1.0 + along_0 * along_0);
+}
+
+float skin_coat_highlight(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
+{
+    vec3 half_vector_1 = skin_unit_vectors(view + light);
+    float n_dot_l_4 = skin_saturate_0(dot(normal, light));
+    float n_dot_v_7 = clamp(dot(normal, view), 0.00009999999747379, 1.0);
+    float n_dot_h_2 = skin_saturate_0(dot(normal, half_vector_1));
+    float v_dot_h_0 = skin_saturate_0(dot(view, half_vector_1));
+    float squared_0 = 2.0 / (skin_specular_power(gloss) + 2.0);
+    vec3 side_0 = cross(normal, half_vector_1);
+    float sine2_0;
+    if(n_dot_h_2 > 0.0)
+    {
+        sine2_0 = dot(side_0, side_0);
+    }
+    else
+    {
+        sine2_0 = 1.0;
+    }
+    float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
+    float _S20 = 1.0 - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5 / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+}
+
+vec2 skin_coat(texture2D lut, sampler lut_sampler, vec4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
+{
+    vec3 entry_0 = (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(sqrt(skin_saturate_0(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz;
+    float _S21 = entry_0.z;
+    return vec2(clamp(_S21 + (1.0 - reflectance) / (1.0 - coat_reflectance) * (entry_0.x - _S21), 0.0, _S21), entry_0.y);
+}
+
+vec3 skin_coat_direction(vec3 normal, vec3 view, float pull)
+{
+    vec3 mirrored_0 = skin_reflected(normal, view);
+    return skin_unit_vectors(mirrored_0 + pull * (normal - mirrored_0));
+}
+
 float skin_turns(float y, float x)
 {
     vec2 size_0 = abs(vec2(x, y));
-    float _S18 = size_0.x;
-    float _S19 = size_0.y;
-    float r_0 = min(_S18, _S19) / max(max(_S18, _S19), 1.00000000317107685e-30);
+    float _S22 = size_0.x;
+    float _S23 = size_0.y;
+    float r_0 = min(_S22, _S23) / max(max(_S22, _S23), 1.00000000317107685e-30);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781 + r2_1 * (-0.05293257534503937 + r2_1 * (0.03076364658772945 + r2_1 * (-0.01842727139592171 + r2_1 * (0.00826387945562601 - r2_1 * 0.00181874714326113)))));
     float turns_1;
-    if(_S19 > _S18)
+    if(_S23 > _S22)
     {
         turns_1 = 0.25 - turns_0;
     }
@@ -481,9 +570,9 @@ float skin_turns(float y, float x)
 
 vec2 skin_equirectangular_uv(vec3 direction)
 {
-    float _S20 = direction.x;
-    float _S21 = direction.z;
-    return vec2(0.5 + skin_turns(_S21, _S20), 2.0 * skin_turns(sqrt(_S20 * _S20 + _S21 * _S21), direction.y));
+    float _S24 = direction.x;
+    float _S25 = direction.z;
+    return vec2(0.5 + skin_turns(_S25, _S24), 2.0 * skin_turns(sqrt(_S24 * _S24 + _S25 * _S25), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -494,10 +583,10 @@ float skin_reflection_level(float power)
 vec3 skin_preconvolved(texture2D preconvolved, sampler preconvolved_sampler, vec2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S22 = min(floor(level_0), 3.0);
+    float _S26 = min(floor(level_0), 3.0);
     float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
-    float _S23 = uv.x;
-    return mix((textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S23, (_S22 + row_1) / 5.0)), (0.0))).xyz, (textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S23, (_S22 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S22));
+    float _S27 = uv.x;
+    return mix((textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S27, (_S26 + row_1) / 5.0)), (0.0))).xyz, (textureLod(sampler2D(preconvolved,preconvolved_sampler), (vec2(_S27, (_S26 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S26));
 }
 
 vec3 skin_reflected_radiance(texture2D preconvolved, sampler preconvolved_sampler, vec3 direction, float gloss)
@@ -507,50 +596,55 @@ vec3 skin_reflected_radiance(texture2D preconvolved, sampler preconvolved_sample
     return mix(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0), vec3(0.05000000074505806));
 }
 
+vec3 skin_coat_radiance(texture2D preconvolved, sampler preconvolved_sampler, vec3 direction, float n_dot_v, float gloss)
+{
+    return skin_preconvolved(preconvolved, preconvolved_sampler, skin_equirectangular_uv(direction), (skin_specular_power(gloss) + 2.0) / (8.0 * max(n_dot_v, 0.00999999977648258)));
+}
+
 vec3 skin_filmic(vec3 light)
 {
     vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
-    vec3 _S24 = 6.19999980926513672 * x_5;
-    return x_5 * (_S24 + 0.5) / (x_5 * (_S24 + 1.70000004768371582) + 0.05999999865889549);
+    vec3 _S28 = 6.19999980926513672 * x_5;
+    return x_5 * (_S28 + 0.5) / (x_5 * (_S28 + 1.70000004768371582) + 0.05999999865889549);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S25;
+    float _S29;
     if(x <= 0.00313080009073019)
     {
-        _S25 = 12.92000007629394531 * x;
+        _S29 = 12.92000007629394531 * x;
     }
     else
     {
-        _S25 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        _S29 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
     }
-    return _S25;
+    return _S29;
 }
 
 vec3 skin_srgb_from_linear(vec3 light)
 {
-    vec3 x_7 = skin_saturate_0(light);
+    vec3 x_7 = skin_saturate_1(light);
     return vec3(skin_srgb_curve(x_7.x), skin_srgb_curve(x_7.y), skin_srgb_curve(x_7.z));
 }
 
 float skin_linear_curve(float x)
 {
-    float _S26;
+    float _S30;
     if(x <= 0.04044999927282333)
     {
-        _S26 = x / 12.92000007629394531;
+        _S30 = x / 12.92000007629394531;
     }
     else
     {
-        _S26 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S30 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
-    return _S26;
+    return _S30;
 }
 
 vec3 skin_linear_from_srgb(vec3 display)
 {
-    vec3 x_9 = skin_saturate_0(display);
+    vec3 x_9 = skin_saturate_1(display);
     return vec3(skin_linear_curve(x_9.x), skin_linear_curve(x_9.y), skin_linear_curve(x_9.z));
 }
 
@@ -562,9 +656,9 @@ float skin_classic_blur_level(float radius_mm, float uv_scale_mm, float map_size
 vec3 skin_classic_direct(texture2D lut, sampler lut_sampler, vec4 lut_axes, vec3 sharp, vec3 blurred, vec3 light, float curvature_per_mm)
 {
     float blurred_cosine_0 = dot(blurred, light);
-    float k_1 = skin_saturate_1(1.0 - blurred_cosine_0);
+    float k_1 = skin_saturate_0(1.0 - blurred_cosine_0);
     float k_2 = k_1 * k_1;
-    return skin_saturate_0(skin_saturate_0(vec3(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp, blurred, vec3(0.30000001192092896 + 0.69999998807907104 * k_2))), light), dot(skin_unit_vectors(mix(sharp, blurred, vec3(k_2))), light))) + ((textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz - max(blurred_cosine_0, 0.0)));
+    return skin_saturate_1(skin_saturate_1(vec3(blurred_cosine_0, dot(skin_unit_vectors(mix(sharp, blurred, vec3(0.30000001192092896 + 0.69999998807907104 * k_2))), light), dot(skin_unit_vectors(mix(sharp, blurred, vec3(k_2))), light))) + ((textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(blurred_cosine_0, abs(curvature_per_mm)) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz - max(blurred_cosine_0, 0.0)));
 }
 
 mat3x3 skin_classic_ambient_normals(vec3 sharp, vec3 blurred)

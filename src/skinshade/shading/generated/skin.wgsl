@@ -127,6 +127,42 @@ fn skin_energy_gain(albedo : vec3<f32>, rms_radius_mm : vec3<f32>, curvature_per
     return _S5 + (_S5 - albedo) * scaled_curvature_0 / sqrt(_S5 + bound_0 * bound_0);
 }
 
+fn skin_root_absorption(albedo : vec3<f32>) -> vec3<f32>
+{
+    var bounded_0 : vec3<f32> = saturate(albedo);
+    var _S6 : vec3<f32> = vec3<f32>(1.0f);
+    var s_1 : vec3<f32> = vec3<f32>(6.0f) * (_S6 - bounded_0) / (vec3<f32>(7.0f) + sqrt(vec3<f32>(25.0f) + vec3<f32>(24.0f) * bounded_0));
+    return s_1 / (_S6 - s_1);
+}
+
+fn skin_inner_cosine(cosine : f32, inverse_ior : f32) -> f32
+{
+    return sqrt(max(1.0f - (1.0f - cosine * cosine) * inverse_ior * inverse_ior, 0.0f));
+}
+
+fn skin_mean_escape(slope : vec3<f32>, low : f32, high : f32) -> vec3<f32>
+{
+    var _S7 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S7 + slope * vec3<f32>((0.36391723155975342f * high + 0.63608276844024658f * low))) / ((_S7 + slope * vec3<f32>(low)) * (_S7 + slope * vec3<f32>(high)));
+}
+
+fn skin_view_factor(albedo : vec3<f32>, n_dot_v : f32, reflectance : f32) -> vec3<f32>
+{
+    var root_0 : f32 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
+    var inverse_ior_1 : f32 = (1.0f - root_0) / (1.0f + root_0);
+    var slope_2 : vec3<f32> = vec3<f32>(2.0f) * skin_root_absorption(albedo);
+    var _S8 : vec3<f32> = vec3<f32>(1.0f);
+    return _S8 / ((_S8 + slope_2 * vec3<f32>(skin_inner_cosine(saturate(n_dot_v), inverse_ior_1))) * skin_mean_escape(slope_2, skin_inner_cosine(0.35505104064941406f, inverse_ior_1), skin_inner_cosine(0.84494894742965698f, inverse_ior_1)));
+}
+
+fn skin_closure_view_factor(albedo : vec3<f32>, n_dot_v : f32) -> vec3<f32>
+{
+    var slope_3 : vec3<f32> = vec3<f32>(2.0f) * skin_root_absorption(albedo);
+    var diffuse_0 : vec3<f32> = skin_mean_escape(slope_3, 0.35505104064941406f, 0.84494894742965698f);
+    var _S9 : vec3<f32> = vec3<f32>(1.0f);
+    return (diffuse_0 + _S9 / (_S9 + slope_3 * vec3<f32>((0.12999999523162842f + 0.75f * saturate(n_dot_v))))) / (diffuse_0 + skin_mean_escape(slope_3, 0.39628827571868896f, 0.76371169090270996f));
+}
+
 fn skin_linear_depth(depth : f32, projection : mat4x4<f32>) -> f32
 {
     return abs((depth * projection[i32(3)][i32(3)] - projection[i32(2)][i32(3)]) / (projection[i32(2)][i32(2)] - depth * projection[i32(3)][i32(2)]));
@@ -170,8 +206,8 @@ fn skin_transmittance(thickness_mm : f32, albedo : vec3<f32>, sigma_per_mm : vec
 {
     var a2_0 : vec3<f32> = albedo * albedo;
     var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm) * vec3<f32>(thickness_mm));
-    var _S6 : vec3<f32> = vec3<f32>(1.0f);
-    return (_S6 - a2_0) * decay_0 / (_S6 - a2_0 * decay_0 * decay_0);
+    var _S10 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S10 - a2_0) * decay_0 / (_S10 - a2_0 * decay_0 * decay_0);
 }
 
 fn skin_classic_transmittance(thickness_mm : f32, radius_mm : f32) -> f32
@@ -199,8 +235,8 @@ fn skin_smoothstep(p : f32) -> f32
 fn skin_light_coordinates(position_mm : vec3<f32>, view : mat4x4<f32>, projection : mat4x4<f32>) -> vec4<f32>
 {
     var p_1 : vec4<f32> = vec4<f32>(position_mm, 1.0f);
-    var _S7 : f32 = dot(view[i32(2)], p_1);
-    var in_view_0 : vec4<f32> = vec4<f32>(dot(view[i32(0)], p_1), dot(view[i32(1)], p_1), _S7, 1.0f);
+    var _S11 : f32 = dot(view[i32(2)], p_1);
+    var in_view_0 : vec4<f32> = vec4<f32>(dot(view[i32(0)], p_1), dot(view[i32(1)], p_1), _S11, 1.0f);
     var w_0 : f32 = dot(projection[i32(3)], in_view_0);
     var w_1 : f32;
     if((abs(w_0)) < 9.99999971718068537e-10f)
@@ -211,7 +247,7 @@ fn skin_light_coordinates(position_mm : vec3<f32>, view : mat4x4<f32>, projectio
     {
         w_1 = w_0;
     }
-    return vec4<f32>(0.5f + 0.5f * (dot(projection[i32(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection[i32(1)], in_view_0) / w_1), abs(_S7), w_1);
+    return vec4<f32>(0.5f + 0.5f * (dot(projection[i32(0)], in_view_0) / w_1), 0.5f - 0.5f * (dot(projection[i32(1)], in_view_0) / w_1), abs(_S11), w_1);
 }
 
 fn skin_unit_vectors(v : vec3<f32>) -> vec3<f32>
@@ -221,8 +257,8 @@ fn skin_unit_vectors(v : vec3<f32>) -> vec3<f32>
 
 fn skin_shadow_receiver(position_mm : vec3<f32>, normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32) -> vec3<f32>
 {
-    var cosine_0 : f32 = dot(normal, to_light);
-    return position_mm + skin_unit_vectors(to_light - normal * vec3<f32>(cosine_0)) * vec3<f32>(min(max(- cosine_0, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f));
+    var cosine_1 : f32 = dot(normal, to_light);
+    return position_mm + skin_unit_vectors(to_light - normal * vec3<f32>(cosine_1)) * vec3<f32>(min(max(- cosine_1, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f));
 }
 
 fn skin_shadow_slope(normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32, light_right : vec3<f32>, light_up : vec3<f32>) -> vec2<f32>
@@ -238,8 +274,8 @@ fn skin_shadow_slope(normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm 
     {
         handedness_0 = 1.0f;
     }
-    var slope_1 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
-    return slope_1 / vec2<f32>(max(length(slope_1) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f));
+    var slope_4 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return slope_4 / vec2<f32>(max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f));
 }
 
 fn skin_shadow_occluder_depth(depth_mm : f32, faces_light : f32) -> f32
@@ -249,16 +285,16 @@ fn skin_shadow_occluder_depth(depth_mm : f32, faces_light : f32) -> f32
 
 fn skin_shadow_compare(depth_map : texture_2d<f32>, depth_map_sampler : sampler, map_extent : vec2<f32>, projection : mat4x4<f32>, uv : vec2<f32>, receiver_mm : f32) -> f32
 {
-    var _S8 : vec2<f32> = vec2<f32>(0.5f);
-    var position_0 : vec2<f32> = uv * map_extent - _S8;
+    var _S12 : vec2<f32> = vec2<f32>(0.5f);
+    var position_0 : vec2<f32> = uv * map_extent - _S12;
     var corner_0 : vec2<f32> = floor(position_0);
     var weights_1 : vec2<f32> = position_0 - corner_0;
-    var _S9 : vec2<f32> = vec2<f32>(0.0f);
-    var _S10 : vec2<f32> = vec2<f32>(1.0f);
-    var _S11 : vec2<f32> = map_extent - _S10;
-    var low_0 : vec2<f32> = (clamp(corner_0, _S9, _S11) + _S8) / map_extent;
-    var high_0 : vec2<f32> = (clamp(corner_0 + _S10, _S9, _S11) + _S8) / map_extent;
-    var lit_0 : vec4<f32> = step(vec4<f32>(receiver_mm, receiver_mm, receiver_mm, receiver_mm), vec4<f32>(skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (low_0), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(high_0.x, low_0.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(low_0.x, high_0.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (high_0), (0.0f))).x, projection)));
+    var _S13 : vec2<f32> = vec2<f32>(0.0f);
+    var _S14 : vec2<f32> = vec2<f32>(1.0f);
+    var _S15 : vec2<f32> = map_extent - _S14;
+    var low_1 : vec2<f32> = (clamp(corner_0, _S13, _S15) + _S12) / map_extent;
+    var high_1 : vec2<f32> = (clamp(corner_0 + _S14, _S13, _S15) + _S12) / map_extent;
+    var lit_0 : vec4<f32> = step(vec4<f32>(receiver_mm, receiver_mm, receiver_mm, receiver_mm), vec4<f32>(skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (low_1), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(high_1.x, low_1.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(low_1.x, high_1.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (high_1), (0.0f))).x, projection)));
     var rows_1 : vec2<f32> = mix(lit_0.xz, lit_0.yw, vec2<f32>(weights_1.x));
     return mix(rows_1.x, rows_1.y, weights_1.y);
 }
@@ -266,8 +302,8 @@ fn skin_shadow_compare(depth_map : texture_2d<f32>, depth_map_sampler : sampler,
 fn skin_shadow_filter(depth_map : texture_2d<f32>, depth_map_sampler : sampler, map_extent : vec2<f32>, view : mat4x4<f32>, projection : mat4x4<f32>, position_mm : vec3<f32>, normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32, filter_width_mm : f32, bias_mm : f32, taps : i32) -> f32
 {
     var coordinates_0 : vec4<f32> = skin_light_coordinates(skin_shadow_receiver(position_mm, normal, to_light, curvature_per_mm), view, projection);
-    var _S12 : vec2<f32> = skin_shadow_slope(normal, to_light, curvature_per_mm, view[i32(0)].xyz, view[i32(1)].xyz);
-    var _S13 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection[i32(0)].x), abs(projection[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
+    var _S16 : vec2<f32> = skin_shadow_slope(normal, to_light, curvature_per_mm, view[i32(0)].xyz, view[i32(1)].xyz);
+    var _S17 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection[i32(0)].x), abs(projection[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
     var tap_1 : i32 = i32(0);
     var total_3 : f32 = 0.0f;
     for(;;)
@@ -289,7 +325,7 @@ fn skin_shadow_filter(depth_map : texture_2d<f32>, depth_map_sampler : sampler, 
             disk_0 = SKIN_SHADOW_DISK_48[min(tap_1, i32(47))];
         }
         var across_mm_0 : vec2<f32> = vec2<f32>((0.5f * filter_width_mm)) * disk_0;
-        var total_4 : f32 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S13, coordinates_0.z - bias_mm + dot(_S12, across_mm_0));
+        var total_4 : f32 = total_3 + skin_shadow_compare(depth_map, depth_map_sampler, map_extent, projection, coordinates_0.xy + across_mm_0 * _S17, coordinates_0.z - bias_mm + dot(_S16, across_mm_0));
         tap_1 = tap_1 + i32(1);
         total_3 = total_4;
     }
@@ -308,17 +344,17 @@ fn skin_sharpened_shadow(shadow_filter : f32, sharpening : f32) -> f32
 
 fn skin_variance_shadow(mean_depth_mm : f32, mean_square_depth_mm2 : f32, depth_mm : f32) -> f32
 {
-    var _S14 : f32 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
-    var _S15 : f32 = max(depth_mm - mean_depth_mm, 0.0f);
-    return _S14 / (_S14 + _S15 * _S15);
+    var _S18 : f32 = max(mean_square_depth_mm2 - mean_depth_mm * mean_depth_mm, 0.00999999977648258f);
+    var _S19 : f32 = max(depth_mm - mean_depth_mm, 0.0f);
+    return _S18 / (_S18 + _S19 * _S19);
 }
 
 fn skin_sh_bands(sh : mat3x3<f32>, d : vec3<f32>) -> vec3<f32>
 {
-    var _S16 : f32 = d.y;
-    var _S17 : f32 = d.z;
-    var _S18 : f32 = d.x;
-    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S16 + sh[i32(0)].z * _S17 + sh[i32(1)].x * _S18), 1.09254848957061768f * (sh[i32(1)].y * _S18 * _S16 + sh[i32(1)].z * _S16 * _S17 + sh[i32(2)].y * _S18 * _S17) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S17 * _S17 - dot(d, d)) + 0.54627424478530884f * sh[i32(2)].z * (_S18 * _S18 - _S16 * _S16));
+    var _S20 : f32 = d.y;
+    var _S21 : f32 = d.z;
+    var _S22 : f32 = d.x;
+    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S20 + sh[i32(0)].z * _S21 + sh[i32(1)].x * _S22), 1.09254848957061768f * (sh[i32(1)].y * _S22 * _S20 + sh[i32(1)].z * _S20 * _S21 + sh[i32(2)].y * _S22 * _S21) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S21 * _S21 - dot(d, d)) + 0.54627424478530884f * sh[i32(2)].z * (_S22 * _S22 - _S20 * _S20));
 }
 
 fn skin_ambient_channel(sh : mat3x3<f32>, normal : vec3<f32>, band_transfer : vec3<f32>) -> f32
@@ -360,8 +396,8 @@ fn skin_transferred_irradiance(ambient_transfer_red : mat3x3<f32>, ambient_trans
 fn skin_reflected_visibility(sky_harmonics : mat3x3<f32>, normal : vec3<f32>, direction : vec3<f32>) -> f32
 {
     var bands_0 : vec3<f32> = skin_sh_bands(sky_harmonics, direction);
-    var _S19 : f32 = max(dot(normal, direction), 0.0f);
-    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S19 * (2.0f + 1.875f * _S19)) * 0.07957746833562851f));
+    var _S23 : f32 = max(dot(normal, direction), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S23 * (2.0f + 1.875f * _S23)) * 0.07957746833562851f));
 }
 
 fn skin_occluded_reflection(sky : vec3<f32>, bounced : vec3<f32>, sky_harmonics : mat3x3<f32>, normal : vec3<f32>, direction : vec3<f32>) -> vec3<f32>
@@ -399,28 +435,28 @@ fn skin_gloss_of_relief(gloss : f32, normal_length : f32) -> f32
 
 fn skin_gloss_from_roughness(roughness : f32) -> f32
 {
-    var _S20 : f32 = max(roughness, 0.00100000004749745f);
-    var r2_0 : f32 = _S20 * _S20;
+    var _S24 : f32 = max(roughness, 0.00100000004749745f);
+    var r2_0 : f32 = _S24 * _S24;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 fn skin_lobe(n_dot_h : f32, n_dot_l : f32, n_dot_v : f32, power : f32) -> f32
 {
     var k_0 : f32 = skin_rsqrt_0(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    var _S21 : f32 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S21 * n_dot_l) * (k_0 + _S21 * n_dot_v)));
+    var _S25 : f32 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S25 * n_dot_l) * (k_0 + _S25 * n_dot_v)));
 }
 
 fn skin_specular(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, gloss : f32, reflectance : f32) -> f32
 {
     var half_vector_0 : vec3<f32> = skin_unit_vectors(view + light);
     var n_dot_l_3 : f32 = saturate(dot(normal, light));
-    var n_dot_v_2 : f32 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    var n_dot_v_4 : f32 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
     var n_dot_h_1 : f32 = saturate(dot(normal, half_vector_0));
     var wide_0 : f32 = skin_specular_power(gloss);
     var grazing_0 : f32 = 1.0f - saturate(dot(view, half_vector_0));
     var grazing2_0 : f32 = grazing_0 * grazing_0;
-    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_2, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
+    return 3.14159274101257324f * (0.94999998807907104f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, wide_0) + 0.05000000074505806f * skin_lobe(n_dot_h_1, n_dot_l_3, n_dot_v_4, min(wide_0 * wide_0, 8192.0f))) * (reflectance + (1.0f - reflectance) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_3;
 }
 
 fn skin_reflected(normal : vec3<f32>, view : vec3<f32>) -> vec3<f32>
@@ -440,16 +476,73 @@ fn skin_diffuse_share(n_dot_v : f32, gloss : f32, reflectance : f32) -> f32
     return 1.0f - skin_ambient_specular_fresnel(n_dot_v, gloss, reflectance);
 }
 
+fn skin_alpha_from_gloss(gloss : f32) -> f32
+{
+    return sqrt(2.0f / (skin_specular_power(gloss) + 2.0f));
+}
+
+fn skin_second_gloss(gloss : f32) -> f32
+{
+    return min(2.0f * gloss, 1.0f);
+}
+
+fn skin_dielectric_fresnel(cosine : f32, reflectance : f32) -> f32
+{
+    var root_1 : f32 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
+    var _S26 : f32 = 1.0f - root_1;
+    var excess_0 : f32 = 4.0f * root_1 / (_S26 * _S26);
+    var _S27 : f32 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
+    var across_0 : f32 = excess_0 / (_S27 * _S27);
+    var along_0 : f32 = (cosine * _S27 - 1.0f) / (cosine * excess_0 / _S27 + 1.0f);
+    return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
+}
+
+fn skin_coat_highlight(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, gloss : f32, reflectance : f32) -> f32
+{
+    var half_vector_1 : vec3<f32> = skin_unit_vectors(view + light);
+    var n_dot_l_4 : f32 = saturate(dot(normal, light));
+    var n_dot_v_7 : f32 = clamp(dot(normal, view), 0.00009999999747379f, 1.0f);
+    var n_dot_h_2 : f32 = saturate(dot(normal, half_vector_1));
+    var v_dot_h_0 : f32 = saturate(dot(view, half_vector_1));
+    var squared_0 : f32 = 2.0f / (skin_specular_power(gloss) + 2.0f);
+    var side_0 : vec3<f32> = cross(normal, half_vector_1);
+    var sine2_0 : f32;
+    if(n_dot_h_2 > 0.0f)
+    {
+        sine2_0 = dot(side_0, side_0);
+    }
+    else
+    {
+        sine2_0 = 1.0f;
+    }
+    var root_2 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
+    var _S28 : f32 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S28 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S28 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+}
+
+fn skin_coat(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, n_dot_v : f32, gloss : f32, reflectance : f32, coat_reflectance : f32) -> vec2<f32>
+{
+    var entry_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(sqrt(saturate(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw)), (0.0f))).xyz;
+    var _S29 : f32 = entry_0.z;
+    return vec2<f32>(clamp(_S29 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S29), 0.0f, _S29), entry_0.y);
+}
+
+fn skin_coat_direction(normal : vec3<f32>, view : vec3<f32>, pull : f32) -> vec3<f32>
+{
+    var mirrored_0 : vec3<f32> = skin_reflected(normal, view);
+    return skin_unit_vectors(mirrored_0 + vec3<f32>(pull) * (normal - mirrored_0));
+}
+
 fn skin_turns(y : f32, x : f32) -> f32
 {
     var size_0 : vec2<f32> = abs(vec2<f32>(x, y));
-    var _S22 : f32 = size_0.x;
-    var _S23 : f32 = size_0.y;
-    var r_0 : f32 = min(_S22, _S23) / max(max(_S22, _S23), 1.00000000317107685e-30f);
+    var _S30 : f32 = size_0.x;
+    var _S31 : f32 = size_0.y;
+    var r_0 : f32 = min(_S30, _S31) / max(max(_S30, _S31), 1.00000000317107685e-30f);
     var r2_1 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S23 > _S22)
+    if(_S31 > _S30)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -470,9 +563,9 @@ fn skin_turns(y : f32, x : f32) -> f32
 
 fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
 {
-    var _S24 : f32 = direction.x;
-    var _S25 : f32 = direction.z;
-    return vec2<f32>(0.5f + skin_turns(_S25, _S24), 2.0f * skin_turns(sqrt(_S24 * _S24 + _S25 * _S25), direction.y));
+    var _S32 : f32 = direction.x;
+    var _S33 : f32 = direction.z;
+    return vec2<f32>(0.5f + skin_turns(_S33, _S32), 2.0f * skin_turns(sqrt(_S32 * _S32 + _S33 * _S33), direction.y));
 }
 
 fn skin_reflection_level(power : f32) -> f32
@@ -483,10 +576,10 @@ fn skin_reflection_level(power : f32) -> f32
 fn skin_preconvolved(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, uv : vec2<f32>, power : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level(power);
-    var _S26 : f32 = min(floor(level_0), 3.0f);
+    var _S34 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    var _S27 : f32 = uv.x;
-    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S27, (_S26 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S27, (_S26 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S26)));
+    var _S35 : f32 = uv.x;
+    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S35, (_S34 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S35, (_S34 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S34)));
 }
 
 fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, gloss : f32) -> vec3<f32>
@@ -496,25 +589,30 @@ fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler 
     return mix(skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 / 4.0f), skin_preconvolved(preconvolved, preconvolved_sampler, uv_3, power_5 * power_5 / 4.0f), vec3<f32>(0.05000000074505806f));
 }
 
+fn skin_coat_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, n_dot_v : f32, gloss : f32) -> vec3<f32>
+{
+    return skin_preconvolved(preconvolved, preconvolved_sampler, skin_equirectangular_uv(direction), (skin_specular_power(gloss) + 2.0f) / (8.0f * max(n_dot_v, 0.00999999977648258f)));
+}
+
 fn skin_filmic(light : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S28 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S28 + vec3<f32>(0.5f)) / (x_3 * (_S28 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S36 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S36 + vec3<f32>(0.5f)) / (x_3 * (_S36 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 fn skin_srgb_curve(x : f32) -> f32
 {
-    var _S29 : f32;
+    var _S37 : f32;
     if(x <= 0.00313080009073019f)
     {
-        _S29 = 12.92000007629394531f * x;
+        _S37 = 12.92000007629394531f * x;
     }
     else
     {
-        _S29 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S37 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S29;
+    return _S37;
 }
 
 fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
@@ -525,16 +623,16 @@ fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
 
 fn skin_linear_curve(x : f32) -> f32
 {
-    var _S30 : f32;
+    var _S38 : f32;
     if(x <= 0.04044999927282333f)
     {
-        _S30 = x / 12.92000007629394531f;
+        _S38 = x / 12.92000007629394531f;
     }
     else
     {
-        _S30 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S38 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S30;
+    return _S38;
 }
 
 fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>

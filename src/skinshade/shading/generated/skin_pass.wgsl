@@ -18,11 +18,11 @@ struct FrameBlock_std140_0
 };
 
 @binding(2) @group(0) var<uniform> frame_block_0 : FrameBlock_std140_0;
-@binding(17) @group(0) var footprint_sampler_0 : sampler;
+@binding(18) @group(0) var footprint_sampler_0 : sampler;
 
-@binding(16) @group(0) var map_sampler_0 : sampler;
+@binding(17) @group(0) var map_sampler_0 : sampler;
 
-@binding(14) @group(0) var specular_map_0 : texture_2d<f32>;
+@binding(15) @group(0) var specular_map_0 : texture_2d<f32>;
 
 struct SkinBlock_std140_0
 {
@@ -41,11 +41,11 @@ struct SkinBlock_std140_0
 };
 
 @binding(0) @group(0) var<uniform> skin_block_0 : SkinBlock_std140_0;
-@binding(12) @group(0) var albedo_map_0 : texture_2d<f32>;
+@binding(13) @group(0) var albedo_map_0 : texture_2d<f32>;
 
-@binding(15) @group(0) var tint_map_0 : texture_2d<f32>;
+@binding(16) @group(0) var tint_map_0 : texture_2d<f32>;
 
-@binding(13) @group(0) var normal_map_0 : texture_2d<f32>;
+@binding(14) @group(0) var normal_map_0 : texture_2d<f32>;
 
 struct ScatterBlock_std140_0
 {
@@ -61,7 +61,9 @@ struct ScatterBlock_std140_0
     @align(16) shadow_axes_0 : vec4<f32>,
     @align(16) classic_axes_0 : vec4<f32>,
     @align(16) classic_shadow_axes_0 : vec4<f32>,
+    @align(16) coat_axes_0 : vec4<f32>,
     @align(16) normal_sigmas_mm_0 : vec2<f32>,
+    @align(8) coat_reflectance_0 : f32,
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
@@ -85,17 +87,17 @@ struct LightBlock_std430_0
 
 @binding(3) @group(0) var<storage, read> lights_0 : array<LightBlock_std430_0>;
 
-@binding(22) @group(0) var moments_0 : texture_2d_array<f32>;
+@binding(23) @group(0) var moments_0 : texture_2d_array<f32>;
 
-@binding(20) @group(0) var depth_sampler_0 : sampler;
+@binding(21) @group(0) var depth_sampler_0 : sampler;
 
 @binding(4) @group(0) var<storage, read> taps_0 : array<vec2<f32>>;
 
-@binding(21) @group(0) var depths_0 : texture_2d_array<f32>;
+@binding(22) @group(0) var depths_0 : texture_2d_array<f32>;
 
 @binding(9) @group(0) var classic_lut_0 : texture_2d<f32>;
 
-@binding(11) @group(0) var lut_sampler_0 : sampler;
+@binding(12) @group(0) var lut_sampler_0 : sampler;
 
 @binding(10) @group(0) var classic_shadow_lut_0 : texture_2d<f32>;
 
@@ -107,9 +109,13 @@ struct LightBlock_std430_0
 
 @binding(8) @group(0) var shadow_lut_0 : texture_2d<f32>;
 
-@binding(18) @group(0) var preconvolved_0 : texture_2d<f32>;
+@binding(19) @group(0) var preconvolved_0 : texture_2d<f32>;
 
-@binding(19) @group(0) var sky_sampler_0 : sampler;
+@binding(20) @group(0) var sky_sampler_0 : sampler;
+
+@binding(11) @group(0) var coat_lut_0 : texture_2d<f32>;
+
+@id(12) override SPECULAR_0 : i32 = i32(0);
 
 @id(6) override SHADOW_FILTER_0 : i32 = i32(0);
 
@@ -959,17 +965,70 @@ fn skin_specular_0( normal_6 : vec3<f32>,  view_2 : vec3<f32>,  light_7 : vec3<f
     return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_5;
 }
 
-fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_2 : vec3<f32>) -> vec3<f32>
+fn skin_dielectric_fresnel_0( cosine_2 : f32,  reflectance_3 : f32) -> f32
 {
-    var _S64 : f32 = d_2.y;
-    var _S65 : f32 = d_2.z;
-    var _S66 : f32 = d_2.x;
-    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S64 + sh_0[i32(0)].z * _S65 + sh_0[i32(1)].x * _S66), 1.09254848957061768f * (sh_0[i32(1)].y * _S66 * _S64 + sh_0[i32(1)].z * _S64 * _S65 + sh_0[i32(2)].y * _S66 * _S65) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S65 * _S65 - dot(d_2, d_2)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S66 * _S66 - _S64 * _S64));
+    var root_0 : f32 = sqrt(clamp(reflectance_3, 0.0f, 0.89999997615814209f));
+    var _S64 : f32 = 1.0f - root_0;
+    var excess_0 : f32 = 4.0f * root_0 / (_S64 * _S64);
+    var _S65 : f32 = max(sqrt(excess_0 + cosine_2 * cosine_2) + cosine_2, 9.99999971718068537e-10f);
+    var across_0 : f32 = excess_0 / (_S65 * _S65);
+    var along_0 : f32 = (cosine_2 * _S65 - 1.0f) / (cosine_2 * excess_0 / _S65 + 1.0f);
+    return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
 }
 
-fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_7 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+fn skin_coat_highlight_0( normal_7 : vec3<f32>,  view_3 : vec3<f32>,  light_8 : vec3<f32>,  gloss_5 : f32,  reflectance_4 : f32) -> f32
 {
-    return max(dot(skin_sh_bands_0(sh_1, normal_7), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_7)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    var half_vector_1 : vec3<f32> = skin_unit_vectors_0(view_3 + light_8);
+    var n_dot_l_6 : f32 = saturate(dot(normal_7, light_8));
+    var n_dot_v_2 : f32 = clamp(dot(normal_7, view_3), 0.00009999999747379f, 1.0f);
+    var n_dot_h_2 : f32 = saturate(dot(normal_7, half_vector_1));
+    var v_dot_h_0 : f32 = saturate(dot(view_3, half_vector_1));
+    var squared_0 : f32 = 2.0f / (skin_specular_power_0(gloss_5) + 2.0f);
+    var side_0 : vec3<f32> = cross(normal_7, half_vector_1);
+    var sine2_0 : f32;
+    if(n_dot_h_2 > 0.0f)
+    {
+        sine2_0 = dot(side_0, side_0);
+    }
+    else
+    {
+        sine2_0 = 1.0f;
+    }
+    var root_1 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
+    var _S66 : f32 = 1.0f - squared_0;
+    return root_1 * root_1 / squared_0 * (0.5f / (n_dot_l_6 * sqrt(n_dot_v_2 * n_dot_v_2 * _S66 + squared_0) + n_dot_v_2 * sqrt(n_dot_l_6 * n_dot_l_6 * _S66 + squared_0))) * skin_dielectric_fresnel_0(v_dot_h_0, reflectance_4) * n_dot_l_6;
+}
+
+fn skin_second_gloss_0( gloss_6 : f32) -> f32
+{
+    return min(2.0f * gloss_6, 1.0f);
+}
+
+fn highlight_0( s_6 : Surface_0,  to_light_4 : vec3<f32>) -> f32
+{
+    if(SPECULAR_0 == i32(2))
+    {
+        return skin_specular_0(s_6.sharp_0, s_6.view_0, to_light_4, s_6.gloss_3, s_6.reflectance_1);
+    }
+    var first_3 : f32 = skin_coat_highlight_0(s_6.sharp_0, s_6.view_0, to_light_4, s_6.gloss_3, s_6.reflectance_1);
+    if(SPECULAR_0 == i32(0))
+    {
+        return first_3;
+    }
+    return mix(first_3, skin_coat_highlight_0(s_6.sharp_0, s_6.view_0, to_light_4, skin_second_gloss_0(s_6.gloss_3), s_6.reflectance_1), 0.05000000074505806f);
+}
+
+fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_2 : vec3<f32>) -> vec3<f32>
+{
+    var _S67 : f32 = d_2.y;
+    var _S68 : f32 = d_2.z;
+    var _S69 : f32 = d_2.x;
+    return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S67 + sh_0[i32(0)].z * _S68 + sh_0[i32(1)].x * _S69), 1.09254848957061768f * (sh_0[i32(1)].y * _S69 * _S67 + sh_0[i32(1)].z * _S67 * _S68 + sh_0[i32(2)].y * _S69 * _S68) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S68 * _S68 - dot(d_2, d_2)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S69 * _S69 - _S67 * _S67));
+}
+
+fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_8 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+{
+    return max(dot(skin_sh_bands_0(sh_1, normal_8), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_8)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_6 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
@@ -980,25 +1039,32 @@ fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_gree
 
 fn sky_light_0( normals_7 : mat3x3<f32>) -> vec3<f32>
 {
-    var _S67 : vec3<f32> = vec3<f32>(1.0f);
-    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), normals_7, mat3x3<f32>(_S67, _S67, _S67));
+    var _S70 : vec3<f32> = vec3<f32>(1.0f);
+    return skin_ambient_irradiance_0(mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].x, frame_block_0.radiance_sh_0[i32(1)].x, frame_block_0.radiance_sh_0[i32(2)].x, frame_block_0.radiance_sh_0[i32(3)].x, frame_block_0.radiance_sh_0[i32(4)].x, frame_block_0.radiance_sh_0[i32(5)].x, frame_block_0.radiance_sh_0[i32(6)].x, frame_block_0.radiance_sh_0[i32(7)].x, frame_block_0.radiance_sh_0[i32(8)].x), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].y, frame_block_0.radiance_sh_0[i32(1)].y, frame_block_0.radiance_sh_0[i32(2)].y, frame_block_0.radiance_sh_0[i32(3)].y, frame_block_0.radiance_sh_0[i32(4)].y, frame_block_0.radiance_sh_0[i32(5)].y, frame_block_0.radiance_sh_0[i32(6)].y, frame_block_0.radiance_sh_0[i32(7)].y, frame_block_0.radiance_sh_0[i32(8)].y), mat3x3<f32>(frame_block_0.radiance_sh_0[i32(0)].z, frame_block_0.radiance_sh_0[i32(1)].z, frame_block_0.radiance_sh_0[i32(2)].z, frame_block_0.radiance_sh_0[i32(3)].z, frame_block_0.radiance_sh_0[i32(4)].z, frame_block_0.radiance_sh_0[i32(5)].z, frame_block_0.radiance_sh_0[i32(6)].z, frame_block_0.radiance_sh_0[i32(7)].z, frame_block_0.radiance_sh_0[i32(8)].z), normals_7, mat3x3<f32>(_S70, _S70, _S70));
 }
 
-fn skin_reflected_0( normal_8 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
+fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_7 : f32,  reflectance_5 : f32) -> f32
 {
-    return vec3<f32>((2.0f * dot(normal_8, view_3))) * normal_8 - view_3;
+    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_3);
+    var grazing2_1 : f32 = grazing_1 * grazing_1;
+    return reflectance_5 + (1.0f - reflectance_5) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_7);
+}
+
+fn skin_reflected_0( normal_9 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>((2.0f * dot(normal_9, view_4))) * normal_9 - view_4;
 }
 
 fn skin_turns_0( y_1 : f32,  x_4 : f32) -> f32
 {
     var size_1 : vec2<f32> = abs(vec2<f32>(x_4, y_1));
-    var _S68 : f32 = size_1.x;
-    var _S69 : f32 = size_1.y;
-    var r_0 : f32 = min(_S68, _S69) / max(max(_S68, _S69), 1.00000000317107685e-30f);
+    var _S71 : f32 = size_1.x;
+    var _S72 : f32 = size_1.y;
+    var r_0 : f32 = min(_S71, _S72) / max(max(_S71, _S72), 1.00000000317107685e-30f);
     var r2_0 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_0 * (-0.05293257534503937f + r2_0 * (0.03076364658772945f + r2_0 * (-0.01842727139592171f + r2_0 * (0.00826387945562601f - r2_0 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S69 > _S68)
+    if(_S72 > _S71)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -1019,9 +1085,9 @@ fn skin_turns_0( y_1 : f32,  x_4 : f32) -> f32
 
 fn skin_equirectangular_uv_0( direction_1 : vec3<f32>) -> vec2<f32>
 {
-    var _S70 : f32 = direction_1.x;
-    var _S71 : f32 = direction_1.z;
-    return vec2<f32>(0.5f + skin_turns_0(_S71, _S70), 2.0f * skin_turns_0(sqrt(_S70 * _S70 + _S71 * _S71), direction_1.y));
+    var _S73 : f32 = direction_1.x;
+    var _S74 : f32 = direction_1.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S74, _S73), 2.0f * skin_turns_0(sqrt(_S73 * _S73 + _S74 * _S74), direction_1.y));
 }
 
 fn skin_reflection_level_0( power_2 : f32) -> f32
@@ -1032,41 +1098,137 @@ fn skin_reflection_level_0( power_2 : f32) -> f32
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_0 : sampler,  uv_5 : vec2<f32>,  power_3 : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level_0(power_3);
-    var _S72 : f32 = min(floor(level_0), 3.0f);
+    var _S75 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_5.y, 0.0078125f, 0.9921875f);
-    var _S73 : f32 = uv_5.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S73, (_S72 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S73, (_S72 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S72)));
+    var _S76 : f32 = uv_5.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S76, (_S75 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_0), (vec2<f32>(_S76, (_S75 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S75)));
 }
 
-fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_5 : f32) -> vec3<f32>
+fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  direction_2 : vec3<f32>,  gloss_8 : f32) -> vec3<f32>
 {
     var uv_6 : vec2<f32> = skin_equirectangular_uv_0(direction_2);
-    var power_4 : f32 = skin_specular_power_0(gloss_5);
+    var power_4 : f32 = skin_specular_power_0(gloss_8);
     return mix(skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_6, power_4 / 4.0f), skin_preconvolved_0(preconvolved_2, preconvolved_sampler_1, uv_6, power_4 * power_4 / 4.0f), vec3<f32>(0.05000000074505806f));
 }
 
-fn skin_reflected_visibility_0( sky_harmonics_2 : mat3x3<f32>,  normal_9 : vec3<f32>,  direction_3 : vec3<f32>) -> f32
+fn skin_coat_0( lut_6 : texture_2d<f32>,  lut_sampler_7 : sampler,  lut_axes_6 : vec4<f32>,  n_dot_v_4 : f32,  gloss_9 : f32,  reflectance_6 : f32,  coat_reflectance_1 : f32) -> vec2<f32>
 {
-    var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_2, direction_3);
-    var _S74 : f32 = max(dot(normal_9, direction_3), 0.0f);
-    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S74 * (2.0f + 1.875f * _S74)) * 0.07957746833562851f));
+    var entry_0 : vec3<f32> = (textureSampleLevel((lut_6), (lut_sampler_7), (saturate((vec2<f32>(sqrt(saturate(n_dot_v_4)), gloss_9) - lut_axes_6.xz) * lut_axes_6.yw)), (0.0f))).xyz;
+    var _S77 : f32 = entry_0.z;
+    return vec2<f32>(clamp(_S77 + (1.0f - reflectance_6) / (1.0f - coat_reflectance_1) * (entry_0.x - _S77), 0.0f, _S77), entry_0.y);
 }
 
-fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_2 : vec3<f32>,  sky_harmonics_3 : mat3x3<f32>,  normal_10 : vec3<f32>,  direction_4 : vec3<f32>) -> vec3<f32>
+fn coat_of_0( s_7 : Surface_0,  n_dot_v_5 : f32,  gloss_10 : f32) -> vec2<f32>
 {
-    return mix(bounced_2 / vec3<f32>(max(1.0f - sky_harmonics_3[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_3, normal_10, direction_4)));
+    return skin_coat_0(coat_lut_0, lut_sampler_0, scatter_block_0.coat_axes_0, n_dot_v_5, gloss_10, s_7.reflectance_1, scatter_block_0.coat_reflectance_0);
 }
 
-fn skin_ambient_specular_fresnel_0( n_dot_v_2 : f32,  gloss_6 : f32,  reflectance_3 : f32) -> f32
+fn skin_coat_direction_0( normal_10 : vec3<f32>,  view_5 : vec3<f32>,  pull_0 : f32) -> vec3<f32>
 {
-    var grazing_1 : f32 = 1.0f - saturate(n_dot_v_2);
-    var grazing2_1 : f32 = grazing_1 * grazing_1;
-    return reflectance_3 + (1.0f - reflectance_3) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_6);
+    var mirrored_0 : vec3<f32> = skin_reflected_0(normal_10, view_5);
+    return skin_unit_vectors_0(mirrored_0 + vec3<f32>(pull_0) * (normal_10 - mirrored_0));
 }
 
-fn skin_diffuse_share_0( n_dot_v_3 : f32,  gloss_7 : f32,  reflectance_4 : f32) -> f32
+fn skin_coat_radiance_0( preconvolved_3 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_3 : vec3<f32>,  n_dot_v_6 : f32,  gloss_11 : f32) -> vec3<f32>
 {
-    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_3, gloss_7, reflectance_4);
+    return skin_preconvolved_0(preconvolved_3, preconvolved_sampler_2, skin_equirectangular_uv_0(direction_3), (skin_specular_power_0(gloss_11) + 2.0f) / (8.0f * max(n_dot_v_6, 0.00999999977648258f)));
+}
+
+fn lobe_of_sky_0( s_8 : Surface_0,  n_dot_v_7 : f32,  gloss_12 : f32,  share_3 : ptr<function, f32>) -> vec3<f32>
+{
+    var coat_0 : vec2<f32> = coat_of_0(s_8, n_dot_v_7, gloss_12);
+    var direction_4 : vec3<f32> = skin_coat_direction_0(s_8.sharp_0, s_8.view_0, coat_0.y);
+    var _S78 : f32 = coat_0.x;
+    (*share_3) = _S78;
+    return vec3<f32>(_S78) * skin_coat_radiance_0(preconvolved_0, sky_sampler_0, direction_4, n_dot_v_7, gloss_12);
+}
+
+fn reflected_sky_0( s_9 : Surface_0,  n_dot_v_8 : f32,  share_4 : ptr<function, f32>) -> vec3<f32>
+{
+    if(SPECULAR_0 == i32(2))
+    {
+        var _S79 : f32 = skin_ambient_specular_fresnel_0(n_dot_v_8, s_9.gloss_3, s_9.reflectance_1);
+        (*share_4) = _S79;
+        return vec3<f32>(_S79) * skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, skin_reflected_0(s_9.sharp_0, s_9.view_0), s_9.gloss_3);
+    }
+    var first_4 : vec3<f32> = lobe_of_sky_0(s_9, n_dot_v_8, s_9.gloss_3, &((*share_4)));
+    if(SPECULAR_0 == i32(0))
+    {
+        return first_4;
+    }
+    var second_share_0 : f32;
+    var second_0 : vec3<f32> = lobe_of_sky_0(s_9, n_dot_v_8, skin_second_gloss_0(s_9.gloss_3), &(second_share_0));
+    (*share_4) = mix((*share_4), second_share_0, 0.05000000074505806f);
+    return mix(first_4, second_0, vec3<f32>(0.05000000074505806f));
+}
+
+fn skin_reflected_visibility_0( sky_harmonics_2 : mat3x3<f32>,  normal_11 : vec3<f32>,  direction_5 : vec3<f32>) -> f32
+{
+    var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_2, direction_5);
+    var _S80 : f32 = max(dot(normal_11, direction_5), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S80 * (2.0f + 1.875f * _S80)) * 0.07957746833562851f));
+}
+
+fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_2 : vec3<f32>,  sky_harmonics_3 : mat3x3<f32>,  normal_12 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+{
+    return mix(bounced_2 / vec3<f32>(max(1.0f - sky_harmonics_3[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_3, normal_12, direction_6)));
+}
+
+@id(13) override BOUNDARY_0 : i32 = i32(0);
+
+fn skin_root_absorption_0( albedo_4 : vec3<f32>) -> vec3<f32>
+{
+    var bounded_0 : vec3<f32> = saturate(albedo_4);
+    var _S81 : vec3<f32> = vec3<f32>(1.0f);
+    var s_10 : vec3<f32> = vec3<f32>(6.0f) * (_S81 - bounded_0) / (vec3<f32>(7.0f) + sqrt(vec3<f32>(25.0f) + vec3<f32>(24.0f) * bounded_0));
+    return s_10 / (_S81 - s_10);
+}
+
+fn skin_inner_cosine_0( cosine_3 : f32,  inverse_ior_0 : f32) -> f32
+{
+    return sqrt(max(1.0f - (1.0f - cosine_3 * cosine_3) * inverse_ior_0 * inverse_ior_0, 0.0f));
+}
+
+fn skin_mean_escape_0( slope_2 : vec3<f32>,  low_0 : f32,  high_0 : f32) -> vec3<f32>
+{
+    var _S82 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S82 + slope_2 * vec3<f32>((0.36391723155975342f * high_0 + 0.63608276844024658f * low_0))) / ((_S82 + slope_2 * vec3<f32>(low_0)) * (_S82 + slope_2 * vec3<f32>(high_0)));
+}
+
+fn skin_view_factor_0( albedo_5 : vec3<f32>,  n_dot_v_9 : f32,  reflectance_7 : f32) -> vec3<f32>
+{
+    var root_2 : f32 = sqrt(clamp(reflectance_7, 0.0f, 0.89999997615814209f));
+    var inverse_ior_1 : f32 = (1.0f - root_2) / (1.0f + root_2);
+    var slope_3 : vec3<f32> = vec3<f32>(2.0f) * skin_root_absorption_0(albedo_5);
+    var _S83 : vec3<f32> = vec3<f32>(1.0f);
+    return _S83 / ((_S83 + slope_3 * vec3<f32>(skin_inner_cosine_0(saturate(n_dot_v_9), inverse_ior_1))) * skin_mean_escape_0(slope_3, skin_inner_cosine_0(0.35505104064941406f, inverse_ior_1), skin_inner_cosine_0(0.84494894742965698f, inverse_ior_1)));
+}
+
+fn skin_closure_view_factor_0( albedo_6 : vec3<f32>,  n_dot_v_10 : f32) -> vec3<f32>
+{
+    var slope_4 : vec3<f32> = vec3<f32>(2.0f) * skin_root_absorption_0(albedo_6);
+    var diffuse_0 : vec3<f32> = skin_mean_escape_0(slope_4, 0.35505104064941406f, 0.84494894742965698f);
+    var _S84 : vec3<f32> = vec3<f32>(1.0f);
+    return (diffuse_0 + _S84 / (_S84 + slope_4 * vec3<f32>((0.12999999523162842f + 0.75f * saturate(n_dot_v_10))))) / (diffuse_0 + skin_mean_escape_0(slope_4, 0.39628827571868896f, 0.76371169090270996f));
+}
+
+fn skin_diffuse_share_0( n_dot_v_11 : f32,  gloss_13 : f32,  reflectance_8 : f32) -> f32
+{
+    return 1.0f - skin_ambient_specular_fresnel_0(n_dot_v_11, gloss_13, reflectance_8);
+}
+
+fn diffused_share_0( s_11 : Surface_0,  n_dot_v_12 : f32) -> f32
+{
+    if(SPECULAR_0 == i32(2))
+    {
+        return skin_diffuse_share_0(dot(s_11.mesh_normal_0, s_11.view_0), s_11.gloss_3, s_11.reflectance_1);
+    }
+    var first_5 : f32 = coat_of_0(s_11, n_dot_v_12, s_11.gloss_3).x;
+    if(SPECULAR_0 == i32(0))
+    {
+        return 1.0f - first_5;
+    }
+    return 1.0f - mix(first_5, coat_of_0(s_11, n_dot_v_12, skin_second_gloss_0(s_11.gloss_3)).x, 0.05000000074505806f);
 }
 
 struct pixelOutput_0
@@ -1092,80 +1254,80 @@ struct pixelInput_0
 };
 
 @fragment
-fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : vec4<f32>) -> pixelOutput_0
+fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : vec4<f32>) -> pixelOutput_0
 {
     var direct_0 : vec3<f32>;
     var direct_1 : vec3<f32>;
     var direct_2 : vec3<f32>;
-    var _S76 : Fragment_0 = Fragment_0( clip_2, _S75.v0_3, _S75.v1_3, _S75.v2_3, _S75.v3_3, _S75.v4_3, _S75.v5_3, _S75.v6_3, _S75.v7_3, _S75.v8_3, _S75.v9_3, _S75.v10_3, _S75.v11_3, _S75.v12_3 );
-    var a_2 : Attributes_0 = attributes_of_0(_S76);
-    var _S77 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
-    var s_6 : Surface_0 = surface_of_0(a_2, dpdx(a_2.uv_0) * _S77, dpdy(a_2.uv_0) * _S77);
-    var _S78 : bool;
+    var _S86 : Fragment_0 = Fragment_0( clip_2, _S85.v0_3, _S85.v1_3, _S85.v2_3, _S85.v3_3, _S85.v4_3, _S85.v5_3, _S85.v6_3, _S85.v7_3, _S85.v8_3, _S85.v9_3, _S85.v10_3, _S85.v11_3, _S85.v12_3 );
+    var a_2 : Attributes_0 = attributes_of_0(_S86);
+    var _S87 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
+    var s_12 : Surface_0 = surface_of_0(a_2, dpdx(a_2.uv_0) * _S87, dpdy(a_2.uv_0) * _S87);
+    var _S88 : bool;
     if(OPACITY_CUTOFF_0 > i32(0))
     {
-        _S78 = (255.0f * (textureSampleLevel((albedo_map_0), (map_sampler_0), (a_2.uv_0), (0.0f))).w) < f32(OPACITY_CUTOFF_0);
+        _S88 = (255.0f * (textureSampleLevel((albedo_map_0), (map_sampler_0), (a_2.uv_0), (0.0f))).w) < f32(OPACITY_CUTOFF_0);
     }
     else
     {
-        _S78 = false;
+        _S88 = false;
     }
-    if(_S78)
+    if(_S88)
     {
         discard;
     }
     if(VIEW_0 == i32(1))
     {
-        var _S79 : vec3<f32> = vec3<f32>(0.5f);
-        var _S80 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S79 + _S79 * s_6.sharp_0), 1.0f) );
-        return _S80;
+        var _S89 : vec3<f32> = vec3<f32>(0.5f);
+        var _S90 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S89 + _S89 * s_12.sharp_0), 1.0f) );
+        return _S90;
     }
     if(VIEW_0 == i32(2))
     {
-        var _S81 : vec3<f32> = vec3<f32>(0.5f);
-        var _S82 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S81 + _S81 * s_6.blurred_0), 1.0f) );
-        return _S82;
+        var _S91 : vec3<f32> = vec3<f32>(0.5f);
+        var _S92 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(_S91 + _S91 * s_12.blurred_0), 1.0f) );
+        return _S92;
     }
     if(VIEW_0 == i32(3))
     {
-        var _S83 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_6.curvature_per_mm_0), 1.0f) );
-        return _S83;
+        var _S93 : pixelOutput_0 = pixelOutput_0( vec4<f32>(curvature_colour_0(s_12.curvature_per_mm_0), 1.0f) );
+        return _S93;
     }
     if(VIEW_0 == i32(6))
     {
-        var _S84 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_6.albedo_1, 1.0f) );
-        return _S84;
+        var _S94 : pixelOutput_0 = pixelOutput_0( vec4<f32>(s_12.albedo_1, 1.0f) );
+        return _S94;
     }
-    var _S85 : vec3<f32> = s_6.sharp_0;
-    var _S86 : mat3x3<f32> = mat3x3<f32>(_S85, _S85, _S85);
-    var _S87 : vec3<f32> = vec3<f32>(1.0f);
-    var _S88 : bool = SHADING_0 == i32(1);
+    var _S95 : vec3<f32> = s_12.sharp_0;
+    var _S96 : mat3x3<f32> = mat3x3<f32>(_S95, _S95, _S95);
+    var _S97 : vec3<f32> = vec3<f32>(1.0f);
+    var _S98 : bool = SHADING_0 == i32(1);
     var normals_8 : mat3x3<f32>;
-    if(_S88)
+    if(_S98)
     {
-        normals_8 = skin_classic_ambient_normals_0(s_6.sharp_0, s_6.blurred_0);
+        normals_8 = skin_classic_ambient_normals_0(s_12.sharp_0, s_12.blurred_0);
     }
     else
     {
-        normals_8 = _S86;
+        normals_8 = _S96;
     }
-    var _S89 : bool = SHADING_0 == i32(2);
+    var _S99 : bool = SHADING_0 == i32(2);
     var diffused_0 : Diffused_0;
     var gain_4 : vec3<f32>;
-    if(_S89)
+    if(_S99)
     {
-        var diffused_1 : Diffused_0 = diffused_surface_0(s_6);
-        var _S90 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_6.diffused_curvature_per_mm_0);
+        var diffused_1 : Diffused_0 = diffused_surface_0(s_12);
+        var _S100 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_12.diffused_curvature_per_mm_0);
         diffused_0 = diffused_1;
-        gain_4 = _S90;
+        gain_4 = _S100;
         normals_8 = diffused_1.normals_1;
     }
     else
     {
-        gain_4 = _S87;
+        gain_4 = _S97;
     }
-    var tint_1 : vec3<f32> = s_6.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
-    var _S91 : vec3<f32> = vec3<f32>(0.0f);
+    var tint_1 : vec3<f32> = s_12.tint_0 * skin_block_0.deep_scatter_tint_0.xyz;
+    var _S101 : vec3<f32> = vec3<f32>(0.0f);
     var largest_filter_0 : f32;
     if(LIGHTS_0 > i32(0))
     {
@@ -1177,14 +1339,14 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     if(LIGHTS_0 > i32(0))
     {
-        _S78 = TAPS_0 > i32(0);
+        _S88 = TAPS_0 > i32(0);
     }
     else
     {
-        _S78 = false;
+        _S88 = false;
     }
     var thinnest_0 : f32;
-    if(_S78)
+    if(_S88)
     {
         thinnest_0 = 1.00000001504746622e+30f;
     }
@@ -1193,9 +1355,9 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         thinnest_0 = 0.0f;
     }
     var index_1 : i32 = i32(0);
-    var deep_0 : vec3<f32> = _S91;
-    var direct_3 : vec3<f32> = _S91;
-    var specular_0 : vec3<f32> = _S91;
+    var deep_0 : vec3<f32> = _S101;
+    var direct_3 : vec3<f32> = _S101;
+    var specular_0 : vec3<f32> = _S101;
     for(;;)
     {
         if(index_1 < LIGHTS_0)
@@ -1205,47 +1367,47 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         {
             break;
         }
-        var light_8 : Incident_0 = incident_0(index_1, s_6);
-        var _S92 : f32 = max(largest_filter_0, light_8.shadow_filter_0);
+        var light_9 : Incident_0 = incident_0(index_1, s_12);
+        var _S102 : f32 = max(largest_filter_0, light_9.shadow_filter_0);
         if(TAPS_0 > i32(0))
         {
-            thinnest_0 = min(thinnest_0, light_8.thickness_mm_0);
+            thinnest_0 = min(thinnest_0, light_9.thickness_mm_0);
         }
-        var n_dot_l_6 : f32 = dot(s_6.mesh_normal_0, light_8.to_light_2);
+        var n_dot_l_7 : f32 = dot(s_12.mesh_normal_0, light_9.to_light_2);
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(TAPS_0 > i32(0))
         {
-            _S78 = (dot(s_6.blurred_0, light_8.to_light_2)) < 0.30000001192092896f;
+            _S88 = (dot(s_12.blurred_0, light_9.to_light_2)) < 0.30000001192092896f;
         }
         else
         {
-            _S78 = false;
+            _S88 = false;
         }
-        if(_S78)
+        if(_S88)
         {
-            deep_0 = deep_0 + light_8.radiance_0 * tint_1 * light_through_0(s_6, light_8);
+            deep_0 = deep_0 + light_9.radiance_0 * tint_1 * light_through_0(s_12, light_9);
         }
-        if((light_8.shadow_filter_0) == 0.0f)
+        if((light_9.shadow_filter_0) == 0.0f)
         {
-            var _S93 : i32 = index_1 + i32(1);
-            largest_filter_0 = _S92;
-            index_1 = _S93;
+            var _S103 : i32 = index_1 + i32(1);
+            largest_filter_0 = _S102;
+            index_1 = _S103;
             continue;
         }
-        var lit_0 : f32 = skin_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
+        var lit_0 : f32 = skin_sharpened_shadow_0(light_9.shadow_filter_0, skin_block_0.shadow_sharpening_0);
         if(SHADING_0 == i32(0))
         {
-            direct_0 = direct_3 + light_8.radiance_0 * vec3<f32>(max(dot(s_6.sharp_0, light_8.to_light_2), 0.0f)) * vec3<f32>(lit_0);
+            direct_0 = direct_3 + light_9.radiance_0 * vec3<f32>(max(dot(s_12.sharp_0, light_9.to_light_2), 0.0f)) * vec3<f32>(lit_0);
         }
         else
         {
             direct_0 = direct_3;
         }
         var lit_1 : f32;
-        if(_S88)
+        if(_S98)
         {
-            var direct_4 : vec3<f32> = direct_0 + light_8.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_6.sharp_0, s_6.blurred_0, light_8.to_light_2, s_6.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
-            lit_1 = skin_classic_sharpened_shadow_0(light_8.shadow_filter_0, skin_block_0.shadow_sharpening_0);
+            var direct_4 : vec3<f32> = direct_0 + light_9.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_12.sharp_0, s_12.blurred_0, light_9.to_light_2, s_12.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
+            lit_1 = skin_classic_sharpened_shadow_0(light_9.shadow_filter_0, skin_block_0.shadow_sharpening_0);
             direct_1 = direct_4;
         }
         else
@@ -1253,77 +1415,103 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
             lit_1 = lit_0;
             direct_1 = direct_0;
         }
-        if(_S89)
+        if(_S99)
         {
-            direct_2 = direct_1 + light_8.radiance_0 * diffused_light_0(s_6, diffused_0, light_8.to_light_2, gain_4) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_8.shadow_filter_0, n_dot_l_6, width_1);
+            direct_2 = direct_1 + light_9.radiance_0 * diffused_light_0(s_12, diffused_0, light_9.to_light_2, gain_4) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
         }
         else
         {
             direct_2 = direct_1;
         }
-        var specular_1 : vec3<f32> = specular_0 + light_8.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(skin_specular_0(s_6.sharp_0, s_6.view_0, light_8.to_light_2, s_6.gloss_3, s_6.reflectance_1));
+        var specular_1 : vec3<f32> = specular_0 + light_9.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(highlight_0(s_12, light_9.to_light_2));
         direct_3 = direct_2;
         specular_0 = specular_1;
-        var _S93 : i32 = index_1 + i32(1);
-        largest_filter_0 = _S92;
-        index_1 = _S93;
+        var _S103 : i32 = index_1 + i32(1);
+        largest_filter_0 = _S102;
+        index_1 = _S103;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S94 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S94;
+        var _S104 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S104;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S95 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(largest_filter_0)), 1.0f) );
-        return _S95;
+        var _S105 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(largest_filter_0)), 1.0f) );
+        return _S105;
     }
+    var n_dot_v_13 : f32 = dot(s_12.sharp_0, s_12.view_0);
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S96 : vec3<f32> = gain_4 * (sky_light_0(normals_8) * s_6.visibility_1 + s_6.bounced_1);
-        var mirror_0 : vec3<f32> = skin_reflected_0(s_6.sharp_0, s_6.view_0);
-        var _S97 : vec3<f32> = skin_occluded_reflection_0(skin_reflected_radiance_0(preconvolved_0, sky_sampler_0, mirror_0, s_6.gloss_3), s_6.bounced_1, s_6.sky_harmonics_1, s_6.mesh_normal_0, mirror_0) * vec3<f32>(skin_ambient_specular_fresnel_0(dot(s_6.sharp_0, s_6.view_0), s_6.gloss_3, s_6.reflectance_1));
-        if(_S89)
+        var _S106 : vec3<f32> = gain_4 * (sky_light_0(normals_8) * s_12.visibility_1 + s_12.bounced_1);
+        var share_5 : f32;
+        var sky_1 : vec3<f32> = reflected_sky_0(s_12, n_dot_v_13, &(share_5));
+        var _S107 : vec3<f32> = skin_occluded_reflection_0(sky_1, vec3<f32>(share_5) * s_12.bounced_1, s_12.sky_harmonics_1, s_12.mesh_normal_0, skin_reflected_0(s_12.sharp_0, s_12.view_0));
+        if(_S99)
         {
-            _S78 = TAPS_0 > i32(0);
+            _S88 = TAPS_0 > i32(0);
         }
         else
         {
-            _S78 = false;
+            _S88 = false;
         }
-        if(_S78)
+        if(_S88)
         {
-            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_6.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
+            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_12.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S91;
+            direct_0 = _S101;
         }
-        var _S98 : vec3<f32> = direct_0;
-        direct_0 = _S97;
-        direct_1 = _S96;
-        direct_2 = _S98;
+        var _S108 : vec3<f32> = direct_0;
+        direct_0 = _S107;
+        direct_1 = _S106;
+        direct_2 = _S108;
     }
     else
     {
-        direct_0 = _S91;
-        direct_1 = _S91;
-        direct_2 = _S91;
+        direct_0 = _S101;
+        direct_1 = _S101;
+        direct_2 = _S101;
+    }
+    if(_S99)
+    {
+        _S88 = BOUNDARY_0 == i32(0);
+    }
+    else
+    {
+        _S88 = false;
     }
     var body_0 : vec3<f32>;
-    if(SHADING_0 != i32(1))
+    if(_S88)
     {
-        body_0 = s_6.albedo_1 * vec3<f32>(skin_diffuse_share_0(dot(s_6.mesh_normal_0, s_6.view_0), s_6.gloss_3, s_6.reflectance_1));
+        body_0 = s_12.albedo_1 * skin_view_factor_0(s_12.albedo_1, n_dot_v_13, skin_block_0.reflectance_0);
     }
     else
     {
-        body_0 = s_6.albedo_1;
+        body_0 = s_12.albedo_1;
+    }
+    if(_S99)
+    {
+        _S88 = BOUNDARY_0 == i32(1);
+    }
+    else
+    {
+        _S88 = false;
+    }
+    if(_S88)
+    {
+        body_0 = body_0 * skin_closure_view_factor_0(s_12.albedo_1, n_dot_v_13);
+    }
+    if(SHADING_0 != i32(1))
+    {
+        body_0 = body_0 * vec3<f32>(diffused_share_0(s_12, n_dot_v_13));
     }
     var direct_5 : vec3<f32> = direct_3 * body_0;
     var deep_1 : vec3<f32> = deep_0 * body_0;
     var ambient_0 : vec3<f32> = direct_1 * body_0;
     var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S99 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var _S109 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
     var color_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
@@ -1331,7 +1519,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     else
     {
-        color_0 = _S99;
+        color_0 = _S109;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1357,7 +1545,7 @@ fn fragment_main( _S75 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     {
         color_0 = min(color_0, vec3<f32>(60000.0f));
     }
-    var _S100 : pixelOutput_0 = pixelOutput_0( vec4<f32>(color_0, 1.0f) );
-    return _S100;
+    var _S110 : pixelOutput_0 = pixelOutput_0( vec4<f32>(color_0, 1.0f) );
+    return _S110;
 }
 

@@ -79,7 +79,7 @@ SKINSHADE_FUNCTION skinshade_error skinshade_check(
 typedef struct skinshade_skin_config {
     float scatter_scale; /* 0.05..20. Factor on every length of the diffusion profile. */
     float normal_strength; /* 0..2. Factor on the slopes of the normal map. */
-    float gloss; /* 0..1. Gloss of the first specular lobe, whose power is 2^(13 gloss). */
+    float gloss; /* 0..1. Gloss of the first specular lobe, whose Blinn-Phong power is 2^(13 gloss). */
     float reflectance; /* 0..0.2. Specular reflectance at normal incidence; .028 for skin, whose refractive index is 1.4. */
     float shadow_filter_width_mm; /* 1..100 mm. Width of the wide shadow filter, across the light. */
     float shadow_sharpening; /* 1..100. Width of the wide shadow filter, divided by the width of the edge of a cast shadow. */
@@ -174,7 +174,7 @@ SKINSHADE_FUNCTION skinshade_result skinshade_pack_skin(
     return skinshade_result_of(SKINSHADE_OK, NULL);
 }
 
-#define SKINSHADE_SCATTER_BLOCK_SIZE 208
+#define SKINSHADE_SCATTER_BLOCK_SIZE 224
 
 typedef struct skinshade_scatter_config {
     float albedo[3]; /* 0.0001..0.9999. Diffuse albedo of the profile. */
@@ -189,7 +189,9 @@ typedef struct skinshade_scatter_config {
     float shadow_axes[4]; /* -1e+06..1e+06. Axes of the shadow table, rows 1/mm: low and 1/(high - low) of the columns, then of the rows. */
     float classic_axes[4]; /* -1e+06..1e+06. Axes of the curvature table of 2014, rows 1/mm: low and 1/(high - low) of the columns, then of the rows. */
     float classic_shadow_axes[4]; /* -1e+06..1e+06. Axes of the shadow table of 2014, rows 1/mm: low and 1/(high - low) of the columns, then of the rows. */
+    float coat_axes[4]; /* -1e+06..1e+06. Axes of the coat's table, columns sqrt (N·V), rows gloss: low and 1/(high - low) of the columns, then of the rows. */
     float normal_sigmas_mm[2]; /* 0..10000 mm. Standard deviations of the narrow and the wide blur of the normal map. */
+    float coat_reflectance; /* 0..0.2. Reflectance at normal incidence that the coat's table was built for. */
 } skinshade_scatter_config;
 
 SKINSHADE_FUNCTION skinshade_scatter_config skinshade_scatter_defaults(void)
@@ -237,8 +239,13 @@ SKINSHADE_FUNCTION skinshade_scatter_config skinshade_scatter_defaults(void)
     config.classic_shadow_axes[1] = 1.0f;
     config.classic_shadow_axes[2] = 0.0f;
     config.classic_shadow_axes[3] = 1.0f;
+    config.coat_axes[0] = 0.0f;
+    config.coat_axes[1] = 1.0f;
+    config.coat_axes[2] = 0.0f;
+    config.coat_axes[3] = 1.0f;
     config.normal_sigmas_mm[0] = 0.0f;
     config.normal_sigmas_mm[1] = 0.0f;
+    config.coat_reflectance = 0.028f;
     return config;
 }
 
@@ -287,9 +294,15 @@ SKINSHADE_FUNCTION skinshade_result skinshade_pack_scatter(
     error = skinshade_check(config->classic_shadow_axes, 4, -1000000.0, 1000000.0);
     if (error != SKINSHADE_OK)
         return skinshade_result_of(error, "classic_shadow_axes");
+    error = skinshade_check(config->coat_axes, 4, -1000000.0, 1000000.0);
+    if (error != SKINSHADE_OK)
+        return skinshade_result_of(error, "coat_axes");
     error = skinshade_check(config->normal_sigmas_mm, 2, 0.0, 10000.0);
     if (error != SKINSHADE_OK)
         return skinshade_result_of(error, "normal_sigmas_mm");
+    error = skinshade_check(&config->coat_reflectance, 1, 0.0, 0.2);
+    if (error != SKINSHADE_OK)
+        return skinshade_result_of(error, "coat_reflectance");
     memset(block, 0, SKINSHADE_SCATTER_BLOCK_SIZE);
     memcpy(block + 0, config->albedo, 12);
     memcpy(block + 16, config->rms_radius_mm, 12);
@@ -303,7 +316,9 @@ SKINSHADE_FUNCTION skinshade_result skinshade_pack_scatter(
     memcpy(block + 144, config->shadow_axes, 16);
     memcpy(block + 160, config->classic_axes, 16);
     memcpy(block + 176, config->classic_shadow_axes, 16);
-    memcpy(block + 192, config->normal_sigmas_mm, 8);
+    memcpy(block + 192, config->coat_axes, 16);
+    memcpy(block + 208, config->normal_sigmas_mm, 8);
+    memcpy(block + 216, &config->coat_reflectance, 4);
     return skinshade_result_of(SKINSHADE_OK, NULL);
 }
 
