@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 import skinshade as sk
 from skinshade.cli.compare import side_by_side
+from skinshade.params.choices import AmbientForm
 from skinshade.params.vertex import column_slices
 from skinshade.rendering.cpu.renderer import CpuRenderer
 from skinshade.rendering.tone import display_values
@@ -56,11 +57,13 @@ Image = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class Case:
-    """A scene, the file that describes it, and the settings of its picture."""
+    """A scene, the file that describes it, the settings of its picture, and its ambient light."""
 
     file: Path
     scene: sk.Scene
     settings: sk.RenderSettings
+    ambient: str = "static"
+    bounces: bool = True
 
 
 @dataclass(frozen=True)
@@ -105,9 +108,20 @@ def with_settings(**changes: object) -> Callable[[Case], Case]:
     return lambda case: replace(case, settings=replace(case.settings, **changes))  # type: ignore[arg-type]  # of any field
 
 
+def with_params(**changes: object) -> Callable[[Case], Case]:
+    """Return a change of some parameters of the skin."""
+    return lambda case: replace(case, scene=case.scene.with_params(**changes))
+
+
 CHANGES: Mapping[str, Callable[[Case], Case | None]] = {
     "sun stays in the sky": sun_in_the_sky,
     "length as diffuse mean free path": diffuse_mean_free_path,
+    "sky by harmonics of order 2": lambda case: replace(case, ambient="order-2"),
+    "sky by harmonics of order 4": lambda case: replace(case, ambient="order-4"),
+    "no bounced light": lambda case: replace(case, bounces=False),
+    "view factor of a smooth boundary": with_params(boundary="smooth"),
+    "Blinn-Phong lobes": with_params(specular="blinn-phong"),
+    "two GGX lobes": with_params(specular="ggx-two-lobes"),
     "tier tensor": with_settings(tier="tensor"),
     "tier scalar": with_settings(tier="scalar"),
     "deep scatter off": with_settings(deep_scatter_taps=0),
@@ -267,9 +281,14 @@ def measure_changes(case: Case, reference: Image) -> dict[str, Score]:
         if changed is not None:
             cases[name] = changed
     scores = {}
-    for scene in {id(one.scene): one.scene for one in cases.values()}.values():
-        group = {name: one for name, one in cases.items() if one.scene is scene}
-        images = drawn(CpuRenderer(scene), [one.settings for one in group.values()], size)
+    keys = {name: (id(one.scene), one.ambient, one.bounces) for name, one in cases.items()}
+    for key in dict.fromkeys(keys.values()):
+        group = {name: one for name, one in cases.items() if keys[name] == key}
+        first = next(iter(group.values()))
+        renderer = CpuRenderer(first.scene, ambient=AmbientForm.of(first.ambient, "ambient"))
+        if not first.bounces:
+            renderer = _without_bounced_light(renderer)
+        images = drawn(renderer, [one.settings for one in group.values()], size)
         for (name, one), image in zip(group.items(), images, strict=True):
             scores[name] = score(reference, image, one)
     return {name: scores[name] for name in cases}

@@ -233,6 +233,10 @@ BOWL_RMS = Tolerance(0.02, "as BOWL_MEAN, RMS over the vertices")
 BOUNCES = Tolerance(0.03, "as BOWL_MEAN, after four bounces; relative")
 SLAB_THROUGH = Tolerance(0.06, "16 directions behind a vertex; relative")
 
+THIN_PARTS = Tolerance(
+    0.2, "mean of the back of a cylinder of 3 to 6 mm, red; .12 measured; relative"
+)
+
 # -- the built-in head -----------------------------------------------------------------------------
 
 FOLDED_CORNERS = Tolerance(

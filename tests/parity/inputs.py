@@ -193,7 +193,9 @@ VALUES = {
     "view": unit,
     "visibility": uniform(0.0, 1.0),
     "bounced": rgb(0.0, 1.0),
+    "diffused": rgb(0.0, 1.0),
     "sky": rgb(0.0, 2.0),
+    "through": rgb(0.0, 1.0),
     "sky_harmonics": sky_harmonics,
 }
 """Functions that draw values, by the parameter's name, which has one meaning in the library."""

@@ -103,7 +103,12 @@ CALLS = (
             "float3",
             "through",
             "skin_direct_deep_scatter(transmittance, dot(normalize({row2}), to_light),"
-            " skin_block.deep_scatter_strength) * skin_block.deep_scatter_tint.xyz",
+            " skin_block.deep_scatter_strength)",
+        ),
+        (
+            "float3",
+            "beyond",
+            "skin_through_beyond(through, diffuse * shadow) * skin_block.deep_scatter_tint.xyz",
         ),
     ),
     (
@@ -116,7 +121,7 @@ CALLS = (
         (
             "float3",
             "radiance",
-            "light_radiance * (body * (diffuse * shadow + through) + {splat} * (highlight * sharp_shadow))",
+            "light_radiance * (body * (diffuse * shadow + beyond) + {splat} * (highlight * sharp_shadow))",
         ),
     ),
 )

@@ -195,7 +195,8 @@ def _transfer(
             dot(surface.blurred, light.to_light),
             params.deep_scatter_strength,
         )
-        terms["deep_scatter"] = scattered * _tint(skin, surface)
+        beyond = deep_scatter.through_beyond(scattered, terms["direct"])
+        terms["deep_scatter"] = beyond * _tint(skin, surface)
     return terms
 
 

@@ -19,6 +19,7 @@ __all__ = [
     "mean_thickness",
     "poisson_disk",
     "thickness",
+    "through_beyond",
     "transmittance",
 ]
 
@@ -217,6 +218,29 @@ def direct_deep_scatter(
         Factor on the light; 1 is physical.
     """
     return strength * transmitted * np.maximum(-n_dot_l, 0.0)[..., None]
+
+
+def through_beyond(through: FloatArray, diffused: FloatArray) -> FloatArray:
+    """Return the light through the body (..., 3) that the light diffused over its surface lacks.
+
+    Past the terminator of a thin part, diffusion over the surface and transport through the body describe the
+    same light: the greater of both is near a random walk, and their sum is up to twice as bright.
+
+    Parameters
+    ----------
+    through
+        (..., 3) light through the body, from `direct_deep_scatter`.
+    diffused
+        (..., 3) direct diffuse light at the same point, after its shadow.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from skinshade.shading.deep_scatter import through_beyond
+    >>> through_beyond(np.array([0.3, 0.1, 0.0]), np.array([0.1, 0.2, 0.0])).round(3)
+    array([0.2, 0. , 0. ])
+    """
+    return np.maximum(through - diffused, 0.0)
 
 
 def ambient_deep_scatter(

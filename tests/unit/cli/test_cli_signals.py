@@ -27,7 +27,7 @@ def wait():
     time.sleep(60.0)
 
 {definitions}
-app.command_line = lambda *names: run
+app.command_line = lambda *names, **options: run
 main()
 """
 """The program with a function in place of its commands."""

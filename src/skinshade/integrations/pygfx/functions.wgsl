@@ -139,23 +139,25 @@ fn skinshade_body(s: SkinSurface, albedo: vec3<f32>) -> vec3<f32> {
 }
 
 fn skinshade_add(light: SkinIncident, s: SkinSurface, sum: ptr<function, ReflectedLight>) {
+    // The shadow table is 0 where the wide filter is 0, so that no light bleeds in.
+    var diffuse = vec3<f32>(0.0);
+    if (light.shadow_filter > 0.0) {
+        let shadow = skin_diffused_shadow(
+            t_shadow_table, s_table, u_scatter.shadow_axes,
+            light.shadow_filter, dot(s.mesh_normal, light.to_light), u_skin.shadow_filter_width_mm);
+        diffuse = skinshade_diffuse(s, light.to_light) * shadow;
+        (*sum).direct_specular += light.radiance
+            * skin_sharpened_shadow(light.shadow_filter, u_skin.shadow_sharpening)
+            * skinshade_highlight(s, light.to_light);
+    }
+    (*sum).direct_diffuse += light.radiance * diffuse * s.albedo;
     $$ if skin_taps > 0
     let transmittance = skin_transmittance(light.thickness_mm, u_scatter.albedo.xyz, u_scatter.sigma_per_mm.xyz);
-    let deep = skin_direct_deep_scatter(
+    let through = skin_direct_deep_scatter(
         transmittance / u_scatter.albedo.xyz, dot(s.blurred, light.to_light), u_skin.deep_scatter_strength);
-    (*sum).direct_diffuse += light.radiance * deep * u_skin.deep_scatter_tint.xyz * s.albedo;
+    (*sum).direct_diffuse += light.radiance * skin_through_beyond(through, diffuse)
+        * u_skin.deep_scatter_tint.xyz * s.albedo;
     $$ endif
-    // The shadow table is 0 where the wide filter is 0, so that no light bleeds in.
-    if (light.shadow_filter == 0.0) {
-        return;
-    }
-    let shadow = skin_diffused_shadow(
-        t_shadow_table, s_table, u_scatter.shadow_axes,
-        light.shadow_filter, dot(s.mesh_normal, light.to_light), u_skin.shadow_filter_width_mm);
-    (*sum).direct_diffuse += light.radiance * skinshade_diffuse(s, light.to_light) * shadow * s.albedo;
-    (*sum).direct_specular += light.radiance
-        * skin_sharpened_shadow(light.shadow_filter, u_skin.shadow_sharpening)
-        * skinshade_highlight(s, light.to_light);
 }
 
 // pygfx calls this function for ambient light and light maps, which are a uniform environment: band 0 only.

@@ -922,6 +922,25 @@ fn run_direct_deep_scatter(@builtin(global_invocation_id) thread_36 : vec3<u32>)
     return;
 }
 
+fn skin_through_beyond_0( through_0 : vec3<f32>,  diffused_0 : vec3<f32>) -> vec3<f32>
+{
+    return max(through_0 - diffused_0, vec3<f32>(0.0f));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn run_through_beyond(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+{
+    var _S91 : u32 = thread_37.x;
+    var start_36 : u32 = _S91 * u32(6);
+    var result_24 : vec3<f32> = skin_through_beyond_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]), vec3<f32>(inputs_0[start_36 + u32(3)], inputs_0[start_36 + u32(4)], inputs_0[start_36 + u32(5)]));
+    var _S92 : u32 = _S91 * u32(3);
+    outputs_0[_S92] = result_24[i32(0)];
+    outputs_0[_S92 + u32(1)] = result_24[i32(1)];
+    outputs_0[_S92 + u32(2)] = result_24[i32(2)];
+    return;
+}
+
 fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 : vec3<f32>,  strength_1 : f32) -> vec3<f32>
 {
     return vec3<f32>(strength_1) * transmitted_1 * irradiance_behind_0;
@@ -929,15 +948,15 @@ fn skin_ambient_deep_scatter_0( transmitted_1 : vec3<f32>,  irradiance_behind_0 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_37 : vec3<u32>)
+fn run_ambient_deep_scatter(@builtin(global_invocation_id) thread_38 : vec3<u32>)
 {
-    var _S91 : u32 = thread_37.x;
-    var start_36 : u32 = _S91 * u32(7);
-    var result_24 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_36], inputs_0[start_36 + u32(1)], inputs_0[start_36 + u32(2)]), vec3<f32>(inputs_0[start_36 + u32(3)], inputs_0[start_36 + u32(4)], inputs_0[start_36 + u32(5)]), inputs_0[start_36 + u32(6)]);
-    var _S92 : u32 = _S91 * u32(3);
-    outputs_0[_S92] = result_24[i32(0)];
-    outputs_0[_S92 + u32(1)] = result_24[i32(1)];
-    outputs_0[_S92 + u32(2)] = result_24[i32(2)];
+    var _S93 : u32 = thread_38.x;
+    var start_37 : u32 = _S93 * u32(7);
+    var result_25 : vec3<f32> = skin_ambient_deep_scatter_0(vec3<f32>(inputs_0[start_37], inputs_0[start_37 + u32(1)], inputs_0[start_37 + u32(2)]), vec3<f32>(inputs_0[start_37 + u32(3)], inputs_0[start_37 + u32(4)], inputs_0[start_37 + u32(5)]), inputs_0[start_37 + u32(6)]);
+    var _S94 : u32 = _S93 * u32(3);
+    outputs_0[_S94] = result_25[i32(0)];
+    outputs_0[_S94 + u32(1)] = result_25[i32(1)];
+    outputs_0[_S94 + u32(2)] = result_25[i32(2)];
     return;
 }
 
@@ -948,10 +967,10 @@ fn skin_specular_power_0( gloss_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular_power(@builtin(global_invocation_id) thread_38 : vec3<u32>)
+fn run_specular_power(@builtin(global_invocation_id) thread_39 : vec3<u32>)
 {
-    var _S93 : u32 = thread_38.x;
-    outputs_0[_S93] = skin_specular_power_0(inputs_0[_S93]);
+    var _S95 : u32 = thread_39.x;
+    outputs_0[_S95] = skin_specular_power_0(inputs_0[_S95]);
     return;
 }
 
@@ -964,35 +983,35 @@ fn skin_gloss_of_relief_0( gloss_1 : f32,  normal_length_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_of_relief(@builtin(global_invocation_id) thread_39 : vec3<u32>)
+fn run_gloss_of_relief(@builtin(global_invocation_id) thread_40 : vec3<u32>)
 {
-    var _S94 : u32 = thread_39.x;
-    var start_37 : u32 = _S94 * u32(2);
-    outputs_0[_S94] = skin_gloss_of_relief_0(inputs_0[start_37], inputs_0[start_37 + u32(1)]);
+    var _S96 : u32 = thread_40.x;
+    var start_38 : u32 = _S96 * u32(2);
+    outputs_0[_S96] = skin_gloss_of_relief_0(inputs_0[start_38], inputs_0[start_38 + u32(1)]);
     return;
 }
 
 fn skin_gloss_from_roughness_0( roughness_1 : f32) -> f32
 {
-    var _S95 : f32 = max(roughness_1, 0.00100000004749745f);
-    var r2_0 : f32 = _S95 * _S95;
+    var _S97 : f32 = max(roughness_1, 0.00100000004749745f);
+    var r2_0 : f32 = _S97 * _S97;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_40 : vec3<u32>)
+fn run_gloss_from_roughness(@builtin(global_invocation_id) thread_41 : vec3<u32>)
 {
-    var _S96 : u32 = thread_40.x;
-    outputs_0[_S96] = skin_gloss_from_roughness_0(inputs_0[_S96]);
+    var _S98 : u32 = thread_41.x;
+    outputs_0[_S98] = skin_gloss_from_roughness_0(inputs_0[_S98]);
     return;
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_3 : f32,  power_2 : f32) -> f32
 {
     var k_0 : f32 = rsqrt_0(3.14159274101257324f * power_2 / 4.0f + 1.57079637050628662f);
-    var _S97 : f32 = 1.0f - k_0;
-    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S97 * n_dot_l_2) * (k_0 + _S97 * n_dot_v_3)));
+    var _S99 : f32 = 1.0f - k_0;
+    return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S99 * n_dot_l_2) * (k_0 + _S99 * n_dot_v_3)));
 }
 
 fn skin_specular_0( normal_8 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_1 : f32) -> f32
@@ -1009,11 +1028,11 @@ fn skin_specular_0( normal_8 : vec3<f32>,  view_2 : vec3<f32>,  light_5 : vec3<f
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_specular(@builtin(global_invocation_id) thread_41 : vec3<u32>)
+fn run_specular(@builtin(global_invocation_id) thread_42 : vec3<u32>)
 {
-    var _S98 : u32 = thread_41.x;
-    var start_38 : u32 = _S98 * u32(11);
-    outputs_0[_S98] = skin_specular_0(vec3<f32>(inputs_0[start_38], inputs_0[start_38 + u32(1)], inputs_0[start_38 + u32(2)]), vec3<f32>(inputs_0[start_38 + u32(3)], inputs_0[start_38 + u32(4)], inputs_0[start_38 + u32(5)]), vec3<f32>(inputs_0[start_38 + u32(6)], inputs_0[start_38 + u32(7)], inputs_0[start_38 + u32(8)]), inputs_0[start_38 + u32(9)], inputs_0[start_38 + u32(10)]);
+    var _S100 : u32 = thread_42.x;
+    var start_39 : u32 = _S100 * u32(11);
+    outputs_0[_S100] = skin_specular_0(vec3<f32>(inputs_0[start_39], inputs_0[start_39 + u32(1)], inputs_0[start_39 + u32(2)]), vec3<f32>(inputs_0[start_39 + u32(3)], inputs_0[start_39 + u32(4)], inputs_0[start_39 + u32(5)]), vec3<f32>(inputs_0[start_39 + u32(6)], inputs_0[start_39 + u32(7)], inputs_0[start_39 + u32(8)]), inputs_0[start_39 + u32(9)], inputs_0[start_39 + u32(10)]);
     return;
 }
 
@@ -1024,15 +1043,15 @@ fn skin_reflected_0( normal_9 : vec3<f32>,  view_3 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected(@builtin(global_invocation_id) thread_42 : vec3<u32>)
+fn run_reflected(@builtin(global_invocation_id) thread_43 : vec3<u32>)
 {
-    var _S99 : u32 = thread_42.x;
-    var start_39 : u32 = _S99 * u32(6);
-    var result_25 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_39], inputs_0[start_39 + u32(1)], inputs_0[start_39 + u32(2)]), vec3<f32>(inputs_0[start_39 + u32(3)], inputs_0[start_39 + u32(4)], inputs_0[start_39 + u32(5)]));
-    var _S100 : u32 = _S99 * u32(3);
-    outputs_0[_S100] = result_25[i32(0)];
-    outputs_0[_S100 + u32(1)] = result_25[i32(1)];
-    outputs_0[_S100 + u32(2)] = result_25[i32(2)];
+    var _S101 : u32 = thread_43.x;
+    var start_40 : u32 = _S101 * u32(6);
+    var result_26 : vec3<f32> = skin_reflected_0(vec3<f32>(inputs_0[start_40], inputs_0[start_40 + u32(1)], inputs_0[start_40 + u32(2)]), vec3<f32>(inputs_0[start_40 + u32(3)], inputs_0[start_40 + u32(4)], inputs_0[start_40 + u32(5)]));
+    var _S102 : u32 = _S101 * u32(3);
+    outputs_0[_S102] = result_26[i32(0)];
+    outputs_0[_S102 + u32(1)] = result_26[i32(1)];
+    outputs_0[_S102 + u32(2)] = result_26[i32(2)];
     return;
 }
 
@@ -1045,11 +1064,11 @@ fn skin_ambient_specular_fresnel_0( n_dot_v_5 : f32,  gloss_3 : f32,  reflectanc
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_43 : vec3<u32>)
+fn run_ambient_specular_fresnel(@builtin(global_invocation_id) thread_44 : vec3<u32>)
 {
-    var _S101 : u32 = thread_43.x;
-    var start_40 : u32 = _S101 * u32(3);
-    outputs_0[_S101] = skin_ambient_specular_fresnel_0(inputs_0[start_40], inputs_0[start_40 + u32(1)], inputs_0[start_40 + u32(2)]);
+    var _S103 : u32 = thread_44.x;
+    var start_41 : u32 = _S103 * u32(3);
+    outputs_0[_S103] = skin_ambient_specular_fresnel_0(inputs_0[start_41], inputs_0[start_41 + u32(1)], inputs_0[start_41 + u32(2)]);
     return;
 }
 
@@ -1060,11 +1079,11 @@ fn skin_diffuse_share_0( n_dot_v_6 : f32,  gloss_4 : f32,  reflectance_3 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_diffuse_share(@builtin(global_invocation_id) thread_44 : vec3<u32>)
+fn run_diffuse_share(@builtin(global_invocation_id) thread_45 : vec3<u32>)
 {
-    var _S102 : u32 = thread_44.x;
-    var start_41 : u32 = _S102 * u32(3);
-    outputs_0[_S102] = skin_diffuse_share_0(inputs_0[start_41], inputs_0[start_41 + u32(1)], inputs_0[start_41 + u32(2)]);
+    var _S104 : u32 = thread_45.x;
+    var start_42 : u32 = _S104 * u32(3);
+    outputs_0[_S104] = skin_diffuse_share_0(inputs_0[start_42], inputs_0[start_42 + u32(1)], inputs_0[start_42 + u32(2)]);
     return;
 }
 
@@ -1075,10 +1094,10 @@ fn skin_alpha_from_gloss_0( gloss_5 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_alpha_from_gloss(@builtin(global_invocation_id) thread_45 : vec3<u32>)
+fn run_alpha_from_gloss(@builtin(global_invocation_id) thread_46 : vec3<u32>)
 {
-    var _S103 : u32 = thread_45.x;
-    outputs_0[_S103] = skin_alpha_from_gloss_0(inputs_0[_S103]);
+    var _S105 : u32 = thread_46.x;
+    outputs_0[_S105] = skin_alpha_from_gloss_0(inputs_0[_S105]);
     return;
 }
 
@@ -1089,31 +1108,31 @@ fn skin_second_gloss_0( gloss_6 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_second_gloss(@builtin(global_invocation_id) thread_46 : vec3<u32>)
+fn run_second_gloss(@builtin(global_invocation_id) thread_47 : vec3<u32>)
 {
-    var _S104 : u32 = thread_46.x;
-    outputs_0[_S104] = skin_second_gloss_0(inputs_0[_S104]);
+    var _S106 : u32 = thread_47.x;
+    outputs_0[_S106] = skin_second_gloss_0(inputs_0[_S106]);
     return;
 }
 
 fn skin_dielectric_fresnel_0( cosine_2 : f32,  reflectance_4 : f32) -> f32
 {
     var root_1 : f32 = sqrt(clamp(reflectance_4, 0.0f, 0.89999997615814209f));
-    var _S105 : f32 = 1.0f - root_1;
-    var excess_0 : f32 = 4.0f * root_1 / (_S105 * _S105);
-    var _S106 : f32 = max(sqrt(excess_0 + cosine_2 * cosine_2) + cosine_2, 9.99999971718068537e-10f);
-    var across_0 : f32 = excess_0 / (_S106 * _S106);
-    var along_0 : f32 = (cosine_2 * _S106 - 1.0f) / (cosine_2 * excess_0 / _S106 + 1.0f);
+    var _S107 : f32 = 1.0f - root_1;
+    var excess_0 : f32 = 4.0f * root_1 / (_S107 * _S107);
+    var _S108 : f32 = max(sqrt(excess_0 + cosine_2 * cosine_2) + cosine_2, 9.99999971718068537e-10f);
+    var across_0 : f32 = excess_0 / (_S108 * _S108);
+    var along_0 : f32 = (cosine_2 * _S108 - 1.0f) / (cosine_2 * excess_0 / _S108 + 1.0f);
     return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_dielectric_fresnel(@builtin(global_invocation_id) thread_47 : vec3<u32>)
+fn run_dielectric_fresnel(@builtin(global_invocation_id) thread_48 : vec3<u32>)
 {
-    var _S107 : u32 = thread_47.x;
-    var start_42 : u32 = _S107 * u32(2);
-    outputs_0[_S107] = skin_dielectric_fresnel_0(inputs_0[start_42], inputs_0[start_42 + u32(1)]);
+    var _S109 : u32 = thread_48.x;
+    var start_43 : u32 = _S109 * u32(2);
+    outputs_0[_S109] = skin_dielectric_fresnel_0(inputs_0[start_43], inputs_0[start_43 + u32(1)]);
     return;
 }
 
@@ -1136,37 +1155,37 @@ fn skin_coat_highlight_0( normal_10 : vec3<f32>,  view_4 : vec3<f32>,  light_6 :
         sine2_0 = 1.0f;
     }
     var root_2 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
-    var _S108 : f32 = 1.0f - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S108 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S108 + squared_0))) * skin_dielectric_fresnel_0(v_dot_h_0, reflectance_5) * n_dot_l_4;
+    var _S110 : f32 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S110 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S110 + squared_0))) * skin_dielectric_fresnel_0(v_dot_h_0, reflectance_5) * n_dot_l_4;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_coat_highlight(@builtin(global_invocation_id) thread_48 : vec3<u32>)
+fn run_coat_highlight(@builtin(global_invocation_id) thread_49 : vec3<u32>)
 {
-    var _S109 : u32 = thread_48.x;
-    var start_43 : u32 = _S109 * u32(11);
-    outputs_0[_S109] = skin_coat_highlight_0(vec3<f32>(inputs_0[start_43], inputs_0[start_43 + u32(1)], inputs_0[start_43 + u32(2)]), vec3<f32>(inputs_0[start_43 + u32(3)], inputs_0[start_43 + u32(4)], inputs_0[start_43 + u32(5)]), vec3<f32>(inputs_0[start_43 + u32(6)], inputs_0[start_43 + u32(7)], inputs_0[start_43 + u32(8)]), inputs_0[start_43 + u32(9)], inputs_0[start_43 + u32(10)]);
+    var _S111 : u32 = thread_49.x;
+    var start_44 : u32 = _S111 * u32(11);
+    outputs_0[_S111] = skin_coat_highlight_0(vec3<f32>(inputs_0[start_44], inputs_0[start_44 + u32(1)], inputs_0[start_44 + u32(2)]), vec3<f32>(inputs_0[start_44 + u32(3)], inputs_0[start_44 + u32(4)], inputs_0[start_44 + u32(5)]), vec3<f32>(inputs_0[start_44 + u32(6)], inputs_0[start_44 + u32(7)], inputs_0[start_44 + u32(8)]), inputs_0[start_44 + u32(9)], inputs_0[start_44 + u32(10)]);
     return;
 }
 
 fn skin_coat_0( lut_6 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  n_dot_v_8 : f32,  gloss_8 : f32,  reflectance_6 : f32,  coat_reflectance_0 : f32) -> vec2<f32>
 {
     var entry_0 : vec3<f32> = (textureSampleLevel((lut_6), (lut_sampler_6), (saturate((vec2<f32>(sqrt(saturate(n_dot_v_8)), gloss_8) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0f))).xyz;
-    var _S110 : f32 = entry_0.z;
-    return vec2<f32>(clamp(_S110 + (1.0f - reflectance_6) / (1.0f - coat_reflectance_0) * (entry_0.x - _S110), 0.0f, _S110), entry_0.y);
+    var _S112 : f32 = entry_0.z;
+    return vec2<f32>(clamp(_S112 + (1.0f - reflectance_6) / (1.0f - coat_reflectance_0) * (entry_0.x - _S112), 0.0f, _S112), entry_0.y);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_coat(@builtin(global_invocation_id) thread_49 : vec3<u32>)
+fn run_coat(@builtin(global_invocation_id) thread_50 : vec3<u32>)
 {
-    var _S111 : u32 = thread_49.x;
-    var start_44 : u32 = _S111 * u32(8);
-    var result_26 : vec2<f32> = skin_coat_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_44], inputs_0[start_44 + u32(1)], inputs_0[start_44 + u32(2)], inputs_0[start_44 + u32(3)]), inputs_0[start_44 + u32(4)], inputs_0[start_44 + u32(5)], inputs_0[start_44 + u32(6)], inputs_0[start_44 + u32(7)]);
-    var _S112 : u32 = _S111 * u32(2);
-    outputs_0[_S112] = result_26[i32(0)];
-    outputs_0[_S112 + u32(1)] = result_26[i32(1)];
+    var _S113 : u32 = thread_50.x;
+    var start_45 : u32 = _S113 * u32(8);
+    var result_27 : vec2<f32> = skin_coat_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)], inputs_0[start_45 + u32(3)]), inputs_0[start_45 + u32(4)], inputs_0[start_45 + u32(5)], inputs_0[start_45 + u32(6)], inputs_0[start_45 + u32(7)]);
+    var _S114 : u32 = _S113 * u32(2);
+    outputs_0[_S114] = result_27[i32(0)];
+    outputs_0[_S114 + u32(1)] = result_27[i32(1)];
     return;
 }
 
@@ -1178,28 +1197,28 @@ fn skin_coat_direction_0( normal_11 : vec3<f32>,  view_5 : vec3<f32>,  pull_0 : 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_coat_direction(@builtin(global_invocation_id) thread_50 : vec3<u32>)
+fn run_coat_direction(@builtin(global_invocation_id) thread_51 : vec3<u32>)
 {
-    var _S113 : u32 = thread_50.x;
-    var start_45 : u32 = _S113 * u32(7);
-    var result_27 : vec3<f32> = skin_coat_direction_0(vec3<f32>(inputs_0[start_45], inputs_0[start_45 + u32(1)], inputs_0[start_45 + u32(2)]), vec3<f32>(inputs_0[start_45 + u32(3)], inputs_0[start_45 + u32(4)], inputs_0[start_45 + u32(5)]), inputs_0[start_45 + u32(6)]);
-    var _S114 : u32 = _S113 * u32(3);
-    outputs_0[_S114] = result_27[i32(0)];
-    outputs_0[_S114 + u32(1)] = result_27[i32(1)];
-    outputs_0[_S114 + u32(2)] = result_27[i32(2)];
+    var _S115 : u32 = thread_51.x;
+    var start_46 : u32 = _S115 * u32(7);
+    var result_28 : vec3<f32> = skin_coat_direction_0(vec3<f32>(inputs_0[start_46], inputs_0[start_46 + u32(1)], inputs_0[start_46 + u32(2)]), vec3<f32>(inputs_0[start_46 + u32(3)], inputs_0[start_46 + u32(4)], inputs_0[start_46 + u32(5)]), inputs_0[start_46 + u32(6)]);
+    var _S116 : u32 = _S115 * u32(3);
+    outputs_0[_S116] = result_28[i32(0)];
+    outputs_0[_S116 + u32(1)] = result_28[i32(1)];
+    outputs_0[_S116 + u32(2)] = result_28[i32(2)];
     return;
 }
 
 fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
 {
     var size_0 : vec2<f32> = abs(vec2<f32>(x_2, y_1));
-    var _S115 : f32 = size_0.x;
-    var _S116 : f32 = size_0.y;
-    var r_0 : f32 = min(_S115, _S116) / max(max(_S115, _S116), 1.00000000317107685e-30f);
+    var _S117 : f32 = size_0.x;
+    var _S118 : f32 = size_0.y;
+    var r_0 : f32 = min(_S117, _S118) / max(max(_S117, _S118), 1.00000000317107685e-30f);
     var r2_1 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S116 > _S115)
+    if(_S118 > _S117)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -1220,21 +1239,21 @@ fn skin_turns_0( y_1 : f32,  x_2 : f32) -> f32
 
 fn skin_equirectangular_uv_0( direction_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S117 : f32 = direction_2.x;
-    var _S118 : f32 = direction_2.z;
-    return vec2<f32>(0.5f + skin_turns_0(_S118, _S117), 2.0f * skin_turns_0(sqrt(_S117 * _S117 + _S118 * _S118), direction_2.y));
+    var _S119 : f32 = direction_2.x;
+    var _S120 : f32 = direction_2.z;
+    return vec2<f32>(0.5f + skin_turns_0(_S120, _S119), 2.0f * skin_turns_0(sqrt(_S119 * _S119 + _S120 * _S120), direction_2.y));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_equirectangular_uv(@builtin(global_invocation_id) thread_51 : vec3<u32>)
+fn run_equirectangular_uv(@builtin(global_invocation_id) thread_52 : vec3<u32>)
 {
-    var _S119 : u32 = thread_51.x;
-    var start_46 : u32 = _S119 * u32(3);
-    var result_28 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_46], inputs_0[start_46 + u32(1)], inputs_0[start_46 + u32(2)]));
-    var _S120 : u32 = _S119 * u32(2);
-    outputs_0[_S120] = result_28[i32(0)];
-    outputs_0[_S120 + u32(1)] = result_28[i32(1)];
+    var _S121 : u32 = thread_52.x;
+    var start_47 : u32 = _S121 * u32(3);
+    var result_29 : vec2<f32> = skin_equirectangular_uv_0(vec3<f32>(inputs_0[start_47], inputs_0[start_47 + u32(1)], inputs_0[start_47 + u32(2)]));
+    var _S122 : u32 = _S121 * u32(2);
+    outputs_0[_S122] = result_29[i32(0)];
+    outputs_0[_S122 + u32(1)] = result_29[i32(1)];
     return;
 }
 
@@ -1245,20 +1264,20 @@ fn skin_reflection_level_0( power_3 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflection_level(@builtin(global_invocation_id) thread_52 : vec3<u32>)
+fn run_reflection_level(@builtin(global_invocation_id) thread_53 : vec3<u32>)
 {
-    var _S121 : u32 = thread_52.x;
-    outputs_0[_S121] = skin_reflection_level_0(inputs_0[_S121]);
+    var _S123 : u32 = thread_53.x;
+    outputs_0[_S123] = skin_reflection_level_0(inputs_0[_S123]);
     return;
 }
 
 fn skin_preconvolved_0( preconvolved_1 : texture_2d<f32>,  preconvolved_sampler_1 : sampler,  uv_2 : vec2<f32>,  power_4 : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level_0(power_4);
-    var _S122 : f32 = min(floor(level_0), 3.0f);
+    var _S124 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv_2.y, 0.0078125f, 0.9921875f);
-    var _S123 : f32 = uv_2.x;
-    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S123, (_S122 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S123, (_S122 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S122)));
+    var _S125 : f32 = uv_2.x;
+    return mix((textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S125, (_S124 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved_1), (preconvolved_sampler_1), (vec2<f32>(_S125, (_S124 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S124)));
 }
 
 fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_3 : vec3<f32>,  gloss_9 : f32) -> vec3<f32>
@@ -1270,15 +1289,15 @@ fn skin_reflected_radiance_0( preconvolved_2 : texture_2d<f32>,  preconvolved_sa
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_reflected_radiance(@builtin(global_invocation_id) thread_53 : vec3<u32>)
+fn run_reflected_radiance(@builtin(global_invocation_id) thread_54 : vec3<u32>)
 {
-    var _S124 : u32 = thread_53.x;
-    var start_47 : u32 = _S124 * u32(4);
-    var result_29 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_47], inputs_0[start_47 + u32(1)], inputs_0[start_47 + u32(2)]), inputs_0[start_47 + u32(3)]);
-    var _S125 : u32 = _S124 * u32(3);
-    outputs_0[_S125] = result_29[i32(0)];
-    outputs_0[_S125 + u32(1)] = result_29[i32(1)];
-    outputs_0[_S125 + u32(2)] = result_29[i32(2)];
+    var _S126 : u32 = thread_54.x;
+    var start_48 : u32 = _S126 * u32(4);
+    var result_30 : vec3<f32> = skin_reflected_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_48], inputs_0[start_48 + u32(1)], inputs_0[start_48 + u32(2)]), inputs_0[start_48 + u32(3)]);
+    var _S127 : u32 = _S126 * u32(3);
+    outputs_0[_S127] = result_30[i32(0)];
+    outputs_0[_S127 + u32(1)] = result_30[i32(1)];
+    outputs_0[_S127 + u32(2)] = result_30[i32(2)];
     return;
 }
 
@@ -1289,51 +1308,51 @@ fn skin_coat_radiance_0( preconvolved_3 : texture_2d<f32>,  preconvolved_sampler
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_coat_radiance(@builtin(global_invocation_id) thread_54 : vec3<u32>)
+fn run_coat_radiance(@builtin(global_invocation_id) thread_55 : vec3<u32>)
 {
-    var _S126 : u32 = thread_54.x;
-    var start_48 : u32 = _S126 * u32(5);
-    var result_30 : vec3<f32> = skin_coat_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_48], inputs_0[start_48 + u32(1)], inputs_0[start_48 + u32(2)]), inputs_0[start_48 + u32(3)], inputs_0[start_48 + u32(4)]);
-    var _S127 : u32 = _S126 * u32(3);
-    outputs_0[_S127] = result_30[i32(0)];
-    outputs_0[_S127 + u32(1)] = result_30[i32(1)];
-    outputs_0[_S127 + u32(2)] = result_30[i32(2)];
+    var _S128 : u32 = thread_55.x;
+    var start_49 : u32 = _S128 * u32(5);
+    var result_31 : vec3<f32> = skin_coat_radiance_0(preconvolved_0, preconvolved_sampler_0, vec3<f32>(inputs_0[start_49], inputs_0[start_49 + u32(1)], inputs_0[start_49 + u32(2)]), inputs_0[start_49 + u32(3)], inputs_0[start_49 + u32(4)]);
+    var _S129 : u32 = _S128 * u32(3);
+    outputs_0[_S129] = result_31[i32(0)];
+    outputs_0[_S129 + u32(1)] = result_31[i32(1)];
+    outputs_0[_S129 + u32(2)] = result_31[i32(2)];
     return;
 }
 
 fn skin_filmic_0( light_7 : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light_7 - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S128 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S128 + vec3<f32>(0.5f)) / (x_3 * (_S128 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S130 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S130 + vec3<f32>(0.5f)) / (x_3 * (_S130 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_filmic(@builtin(global_invocation_id) thread_55 : vec3<u32>)
+fn run_filmic(@builtin(global_invocation_id) thread_56 : vec3<u32>)
 {
-    var start_49 : u32 = thread_55.x * u32(3);
-    var _S129 : u32 = start_49 + u32(1);
-    var _S130 : u32 = start_49 + u32(2);
-    var result_31 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_49], inputs_0[_S129], inputs_0[_S130]));
-    outputs_0[start_49] = result_31[i32(0)];
-    outputs_0[_S129] = result_31[i32(1)];
-    outputs_0[_S130] = result_31[i32(2)];
+    var start_50 : u32 = thread_56.x * u32(3);
+    var _S131 : u32 = start_50 + u32(1);
+    var _S132 : u32 = start_50 + u32(2);
+    var result_32 : vec3<f32> = skin_filmic_0(vec3<f32>(inputs_0[start_50], inputs_0[_S131], inputs_0[_S132]));
+    outputs_0[start_50] = result_32[i32(0)];
+    outputs_0[_S131] = result_32[i32(1)];
+    outputs_0[_S132] = result_32[i32(2)];
     return;
 }
 
 fn skin_srgb_curve_0( x_4 : f32) -> f32
 {
-    var _S131 : f32;
+    var _S133 : f32;
     if(x_4 <= 0.00313080009073019f)
     {
-        _S131 = 12.92000007629394531f * x_4;
+        _S133 = 12.92000007629394531f * x_4;
     }
     else
     {
-        _S131 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S133 = 1.0549999475479126f * pow(max(x_4, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S131;
+    return _S133;
 }
 
 fn skin_srgb_from_linear_0( light_8 : vec3<f32>) -> vec3<f32>
@@ -1344,30 +1363,30 @@ fn skin_srgb_from_linear_0( light_8 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_srgb_from_linear(@builtin(global_invocation_id) thread_56 : vec3<u32>)
+fn run_srgb_from_linear(@builtin(global_invocation_id) thread_57 : vec3<u32>)
 {
-    var start_50 : u32 = thread_56.x * u32(3);
-    var _S132 : u32 = start_50 + u32(1);
-    var _S133 : u32 = start_50 + u32(2);
-    var result_32 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_50], inputs_0[_S132], inputs_0[_S133]));
-    outputs_0[start_50] = result_32[i32(0)];
-    outputs_0[_S132] = result_32[i32(1)];
-    outputs_0[_S133] = result_32[i32(2)];
+    var start_51 : u32 = thread_57.x * u32(3);
+    var _S134 : u32 = start_51 + u32(1);
+    var _S135 : u32 = start_51 + u32(2);
+    var result_33 : vec3<f32> = skin_srgb_from_linear_0(vec3<f32>(inputs_0[start_51], inputs_0[_S134], inputs_0[_S135]));
+    outputs_0[start_51] = result_33[i32(0)];
+    outputs_0[_S134] = result_33[i32(1)];
+    outputs_0[_S135] = result_33[i32(2)];
     return;
 }
 
 fn skin_linear_curve_0( x_6 : f32) -> f32
 {
-    var _S134 : f32;
+    var _S136 : f32;
     if(x_6 <= 0.04044999927282333f)
     {
-        _S134 = x_6 / 12.92000007629394531f;
+        _S136 = x_6 / 12.92000007629394531f;
     }
     else
     {
-        _S134 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S136 = pow((x_6 + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S134;
+    return _S136;
 }
 
 fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
@@ -1378,15 +1397,15 @@ fn skin_linear_from_srgb_0( display_0 : vec3<f32>) -> vec3<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_linear_from_srgb(@builtin(global_invocation_id) thread_57 : vec3<u32>)
+fn run_linear_from_srgb(@builtin(global_invocation_id) thread_58 : vec3<u32>)
 {
-    var start_51 : u32 = thread_57.x * u32(3);
-    var _S135 : u32 = start_51 + u32(1);
-    var _S136 : u32 = start_51 + u32(2);
-    var result_33 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_51], inputs_0[_S135], inputs_0[_S136]));
-    outputs_0[start_51] = result_33[i32(0)];
-    outputs_0[_S135] = result_33[i32(1)];
-    outputs_0[_S136] = result_33[i32(2)];
+    var start_52 : u32 = thread_58.x * u32(3);
+    var _S137 : u32 = start_52 + u32(1);
+    var _S138 : u32 = start_52 + u32(2);
+    var result_34 : vec3<f32> = skin_linear_from_srgb_0(vec3<f32>(inputs_0[start_52], inputs_0[_S137], inputs_0[_S138]));
+    outputs_0[start_52] = result_34[i32(0)];
+    outputs_0[_S137] = result_34[i32(1)];
+    outputs_0[_S138] = result_34[i32(2)];
     return;
 }
 
@@ -1397,11 +1416,11 @@ fn skin_classic_blur_level_0( radius_mm_1 : f32,  uv_scale_mm_1 : f32,  map_size
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_blur_level(@builtin(global_invocation_id) thread_58 : vec3<u32>)
+fn run_classic_blur_level(@builtin(global_invocation_id) thread_59 : vec3<u32>)
 {
-    var _S137 : u32 = thread_58.x;
-    var start_52 : u32 = _S137 * u32(4);
-    outputs_0[_S137] = skin_classic_blur_level_0(inputs_0[start_52], inputs_0[start_52 + u32(1)], inputs_0[start_52 + u32(2)], inputs_0[start_52 + u32(3)]);
+    var _S139 : u32 = thread_59.x;
+    var start_53 : u32 = _S139 * u32(4);
+    outputs_0[_S139] = skin_classic_blur_level_0(inputs_0[start_53], inputs_0[start_53 + u32(1)], inputs_0[start_53 + u32(2)], inputs_0[start_53 + u32(3)]);
     return;
 }
 
@@ -1415,15 +1434,15 @@ fn skin_classic_direct_0( lut_7 : texture_2d<f32>,  lut_sampler_7 : sampler,  lu
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_direct(@builtin(global_invocation_id) thread_59 : vec3<u32>)
+fn run_classic_direct(@builtin(global_invocation_id) thread_60 : vec3<u32>)
 {
-    var _S138 : u32 = thread_59.x;
-    var start_53 : u32 = _S138 * u32(14);
-    var result_34 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_53], inputs_0[start_53 + u32(1)], inputs_0[start_53 + u32(2)], inputs_0[start_53 + u32(3)]), vec3<f32>(inputs_0[start_53 + u32(4)], inputs_0[start_53 + u32(5)], inputs_0[start_53 + u32(6)]), vec3<f32>(inputs_0[start_53 + u32(7)], inputs_0[start_53 + u32(8)], inputs_0[start_53 + u32(9)]), vec3<f32>(inputs_0[start_53 + u32(10)], inputs_0[start_53 + u32(11)], inputs_0[start_53 + u32(12)]), inputs_0[start_53 + u32(13)]);
-    var _S139 : u32 = _S138 * u32(3);
-    outputs_0[_S139] = result_34[i32(0)];
-    outputs_0[_S139 + u32(1)] = result_34[i32(1)];
-    outputs_0[_S139 + u32(2)] = result_34[i32(2)];
+    var _S140 : u32 = thread_60.x;
+    var start_54 : u32 = _S140 * u32(14);
+    var result_35 : vec3<f32> = skin_classic_direct_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_54], inputs_0[start_54 + u32(1)], inputs_0[start_54 + u32(2)], inputs_0[start_54 + u32(3)]), vec3<f32>(inputs_0[start_54 + u32(4)], inputs_0[start_54 + u32(5)], inputs_0[start_54 + u32(6)]), vec3<f32>(inputs_0[start_54 + u32(7)], inputs_0[start_54 + u32(8)], inputs_0[start_54 + u32(9)]), vec3<f32>(inputs_0[start_54 + u32(10)], inputs_0[start_54 + u32(11)], inputs_0[start_54 + u32(12)]), inputs_0[start_54 + u32(13)]);
+    var _S141 : u32 = _S140 * u32(3);
+    outputs_0[_S141] = result_35[i32(0)];
+    outputs_0[_S141 + u32(1)] = result_35[i32(1)];
+    outputs_0[_S141 + u32(2)] = result_35[i32(2)];
     return;
 }
 
@@ -1434,21 +1453,21 @@ fn skin_classic_ambient_normals_0( sharp_1 : vec3<f32>,  blurred_1 : vec3<f32>) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_60 : vec3<u32>)
+fn run_classic_ambient_normals(@builtin(global_invocation_id) thread_61 : vec3<u32>)
 {
-    var _S140 : u32 = thread_60.x;
-    var start_54 : u32 = _S140 * u32(6);
-    var result_35 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_54], inputs_0[start_54 + u32(1)], inputs_0[start_54 + u32(2)]), vec3<f32>(inputs_0[start_54 + u32(3)], inputs_0[start_54 + u32(4)], inputs_0[start_54 + u32(5)]));
-    var _S141 : u32 = _S140 * u32(9);
-    outputs_0[_S141] = result_35[i32(0)][i32(0)];
-    outputs_0[_S141 + u32(1)] = result_35[i32(0)][i32(1)];
-    outputs_0[_S141 + u32(2)] = result_35[i32(0)][i32(2)];
-    outputs_0[_S141 + u32(3)] = result_35[i32(1)][i32(0)];
-    outputs_0[_S141 + u32(4)] = result_35[i32(1)][i32(1)];
-    outputs_0[_S141 + u32(5)] = result_35[i32(1)][i32(2)];
-    outputs_0[_S141 + u32(6)] = result_35[i32(2)][i32(0)];
-    outputs_0[_S141 + u32(7)] = result_35[i32(2)][i32(1)];
-    outputs_0[_S141 + u32(8)] = result_35[i32(2)][i32(2)];
+    var _S142 : u32 = thread_61.x;
+    var start_55 : u32 = _S142 * u32(6);
+    var result_36 : mat3x3<f32> = skin_classic_ambient_normals_0(vec3<f32>(inputs_0[start_55], inputs_0[start_55 + u32(1)], inputs_0[start_55 + u32(2)]), vec3<f32>(inputs_0[start_55 + u32(3)], inputs_0[start_55 + u32(4)], inputs_0[start_55 + u32(5)]));
+    var _S143 : u32 = _S142 * u32(9);
+    outputs_0[_S143] = result_36[i32(0)][i32(0)];
+    outputs_0[_S143 + u32(1)] = result_36[i32(0)][i32(1)];
+    outputs_0[_S143 + u32(2)] = result_36[i32(0)][i32(2)];
+    outputs_0[_S143 + u32(3)] = result_36[i32(1)][i32(0)];
+    outputs_0[_S143 + u32(4)] = result_36[i32(1)][i32(1)];
+    outputs_0[_S143 + u32(5)] = result_36[i32(1)][i32(2)];
+    outputs_0[_S143 + u32(6)] = result_36[i32(2)][i32(0)];
+    outputs_0[_S143 + u32(7)] = result_36[i32(2)][i32(1)];
+    outputs_0[_S143 + u32(8)] = result_36[i32(2)][i32(2)];
     return;
 }
 
@@ -1459,11 +1478,11 @@ fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) 
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_61 : vec3<u32>)
+fn run_classic_sharpened_shadow(@builtin(global_invocation_id) thread_62 : vec3<u32>)
 {
-    var _S142 : u32 = thread_61.x;
-    var start_55 : u32 = _S142 * u32(2);
-    outputs_0[_S142] = skin_classic_sharpened_shadow_0(inputs_0[start_55], inputs_0[start_55 + u32(1)]);
+    var _S144 : u32 = thread_62.x;
+    var start_56 : u32 = _S144 * u32(2);
+    outputs_0[_S144] = skin_classic_sharpened_shadow_0(inputs_0[start_56], inputs_0[start_56 + u32(1)]);
     return;
 }
 
@@ -1474,11 +1493,11 @@ fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_5 : f32,  radius_
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_62 : vec3<u32>)
+fn run_classic_deep_scatter(@builtin(global_invocation_id) thread_63 : vec3<u32>)
 {
-    var _S143 : u32 = thread_62.x;
-    var start_56 : u32 = _S143 * u32(4);
-    outputs_0[_S143] = skin_classic_deep_scatter_0(inputs_0[start_56], inputs_0[start_56 + u32(1)], inputs_0[start_56 + u32(2)], inputs_0[start_56 + u32(3)]);
+    var _S145 : u32 = thread_63.x;
+    var start_57 : u32 = _S145 * u32(4);
+    outputs_0[_S145] = skin_classic_deep_scatter_0(inputs_0[start_57], inputs_0[start_57 + u32(1)], inputs_0[start_57 + u32(2)], inputs_0[start_57 + u32(3)]);
     return;
 }
 

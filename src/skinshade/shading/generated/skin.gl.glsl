@@ -224,6 +224,11 @@ vec3 skin_direct_deep_scatter(vec3 transmitted, float n_dot_l, float strength)
     return strength * transmitted * max(- n_dot_l, 0.0);
 }
 
+vec3 skin_through_beyond(vec3 through, vec3 diffused)
+{
+    return max(through - diffused, vec3(0.0));
+}
+
 vec3 skin_ambient_deep_scatter(vec3 transmitted, vec3 irradiance_behind, float strength)
 {
     return strength * transmitted * irradiance_behind;

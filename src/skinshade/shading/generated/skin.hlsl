@@ -210,6 +210,11 @@ float3 skin_direct_deep_scatter(float3 transmitted, float n_dot_l, float strengt
     return strength * transmitted * max(- n_dot_l, 0.0f);
 }
 
+float3 skin_through_beyond(float3 through, float3 diffused)
+{
+    return max(through - diffused, (float3)0.0f);
+}
+
 float3 skin_ambient_deep_scatter(float3 transmitted, float3 irradiance_behind, float strength)
 {
     return strength * transmitted * irradiance_behind;

@@ -221,6 +221,11 @@ fn skin_direct_deep_scatter(transmitted : vec3<f32>, n_dot_l : f32, strength : f
     return vec3<f32>(strength) * transmitted * vec3<f32>(max(- n_dot_l, 0.0f));
 }
 
+fn skin_through_beyond(through : vec3<f32>, diffused : vec3<f32>) -> vec3<f32>
+{
+    return max(through - diffused, vec3<f32>(0.0f));
+}
+
 fn skin_ambient_deep_scatter(transmitted : vec3<f32>, irradiance_behind : vec3<f32>, strength : f32) -> vec3<f32>
 {
     return vec3<f32>(strength) * transmitted * irradiance_behind;

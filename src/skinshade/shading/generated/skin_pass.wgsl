@@ -95,19 +95,19 @@ struct LightBlock_std430_0
 
 @binding(22) @group(0) var depths_0 : texture_2d_array<f32>;
 
-@binding(9) @group(0) var classic_lut_0 : texture_2d<f32>;
+@binding(6) @group(0) var sphere_lut_0 : texture_2d<f32>;
 
 @binding(12) @group(0) var lut_sampler_0 : sampler;
-
-@binding(10) @group(0) var classic_shadow_lut_0 : texture_2d<f32>;
-
-@binding(6) @group(0) var sphere_lut_0 : texture_2d<f32>;
 
 @binding(5) @group(0) var ring_lut_0 : texture_2d<f32>;
 
 @binding(7) @group(0) var transfer_lut_0 : texture_2d<f32>;
 
 @binding(8) @group(0) var shadow_lut_0 : texture_2d<f32>;
+
+@binding(9) @group(0) var classic_lut_0 : texture_2d<f32>;
+
+@binding(10) @group(0) var classic_shadow_lut_0 : texture_2d<f32>;
 
 @binding(19) @group(0) var preconvolved_0 : texture_2d<f32>;
 
@@ -808,88 +808,25 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     return i_0;
 }
 
-fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_1 : f32) -> f32
+fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_0 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
 {
-    var t_5 : f32 = thickness_mm_1 / radius_mm_1;
-    return exp(-0.5f * t_5 * t_5);
+    return clamp(vec3<f32>(dot(normals_2[i32(0)], light_0), dot(normals_2[i32(1)], light_0), dot(normals_2[i32(2)], light_0)) / lengths_0, vec3<f32>(-1.0f), vec3<f32>(1.0f));
 }
 
-fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_0 : f32,  radius_mm_2 : f32,  strength_0 : f32) -> f32
+fn skin_curvature_table_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_5 : f32) -> vec3<f32>
 {
-    return strength_0 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_0, 0.0f);
+    var row_0 : f32 = sqrt(max(curvature_per_mm_5, 0.0f));
+    var _S58 : vec2<f32> = lut_axes_0.xz;
+    var _S59 : vec2<f32> = lut_axes_0.yw;
+    return vec3<f32>((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S58) * _S59)), (0.0f))).xyz.x, (textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S58) * _S59)), (0.0f))).xyz.y, (textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S58) * _S59)), (0.0f))).xyz.z);
 }
 
-fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
+fn skin_relief_bump_0( m_0 : f32,  s_3 : f32) -> f32
 {
-    var a2_0 : vec3<f32> = albedo_3 * albedo_3;
-    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
-    var _S58 : vec3<f32> = vec3<f32>(1.0f);
-    return (_S58 - a2_0) * decay_0 / (_S58 - a2_0 * decay_0 * decay_0);
-}
-
-fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_1 : f32,  strength_1 : f32) -> vec3<f32>
-{
-    return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_1, 0.0f));
-}
-
-fn light_through_0( s_3 : Surface_0,  light_0 : Incident_0) -> vec3<f32>
-{
-    var n_dot_l_2 : f32 = dot(s_3.blurred_0, light_0.to_light_2);
-    if(SHADING_0 == i32(1))
-    {
-        return vec3<f32>(skin_classic_deep_scatter_0(light_0.thickness_mm_0, n_dot_l_2, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
-    }
-    return skin_direct_deep_scatter_0(skin_transmittance_0(light_0.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_2, skin_block_0.deep_scatter_strength_0);
-}
-
-fn skin_smoothstep_0( p_2 : f32) -> f32
-{
-    var q_0 : f32 = saturate(p_2);
-    return q_0 * q_0 * (3.0f - 2.0f * q_0);
-}
-
-fn skin_sharpened_shadow_0( shadow_filter_1 : f32,  sharpening_0 : f32) -> f32
-{
-    return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_1)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
-}
-
-fn skin_classic_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_1 : f32) -> f32
-{
-    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_2 - 0.5f) + 0.5f);
-}
-
-fn skin_classic_direct_0( lut_0 : texture_2d<f32>,  lut_sampler_1 : sampler,  lut_axes_0 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_5 : f32) -> vec3<f32>
-{
-    var blurred_cosine_0 : f32 = dot(blurred_2, light_1);
-    var k_0 : f32 = saturate(1.0f - blurred_cosine_0);
-    var k_1 : f32 = k_0 * k_0;
-    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_1)))), light_1), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_1))), light_1))) + ((textureSampleLevel((lut_0), (lut_sampler_1), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_5)) - lut_axes_0.xz) * lut_axes_0.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
-}
-
-fn skin_diffused_shadow_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  shadow_filter_3 : f32,  n_dot_l_3 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
-{
-    return (textureSampleLevel((lut_1), (lut_sampler_2), (saturate((vec2<f32>(shadow_filter_3, max(n_dot_l_3, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_1.xz) * lut_axes_1.yw)), (0.0f))).xyz;
-}
-
-fn skin_cosines_0( normals_2 : mat3x3<f32>,  light_2 : vec3<f32>,  lengths_0 : vec3<f32>) -> vec3<f32>
-{
-    return clamp(vec3<f32>(dot(normals_2[i32(0)], light_2), dot(normals_2[i32(1)], light_2), dot(normals_2[i32(2)], light_2)) / lengths_0, vec3<f32>(-1.0f), vec3<f32>(1.0f));
-}
-
-fn skin_curvature_table_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  cos_theta_0 : vec3<f32>,  curvature_per_mm_6 : f32) -> vec3<f32>
-{
-    var row_0 : f32 = sqrt(max(curvature_per_mm_6, 0.0f));
-    var _S59 : vec2<f32> = lut_axes_2.xz;
-    var _S60 : vec2<f32> = lut_axes_2.yw;
-    return vec3<f32>((textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.x, row_0) - _S59) * _S60)), (0.0f))).xyz.x, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.y, row_0) - _S59) * _S60)), (0.0f))).xyz.y, (textureSampleLevel((lut_2), (lut_sampler_3), (saturate((vec2<f32>(cos_theta_0.z, row_0) - _S59) * _S60)), (0.0f))).xyz.z);
-}
-
-fn skin_relief_bump_0( m_0 : f32,  s_4 : f32) -> f32
-{
-    var _S61 : f32 = max(s_4, 9.99999971718068537e-10f);
-    var _S62 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S61), 0.0f);
-    var t2_0 : f32 = _S62 * _S62;
-    return _S61 * t2_0 * t2_0 * (0.16452799737453461f + _S62 * (-1.55506408214569092f + _S62 * (7.10253477096557617f + _S62 * (-16.75164794921875f + _S62 * (22.75126266479492188f + _S62 * (-15.08054447174072266f + _S62 * 3.76787090301513672f))))));
+    var _S60 : f32 = max(s_3, 9.99999971718068537e-10f);
+    var _S61 : f32 = max(1.0f - abs(m_0) / (4.40000009536743164f * _S60), 0.0f);
+    var t2_0 : f32 = _S61 * _S61;
+    return _S60 * t2_0 * t2_0 * (0.16452799737453461f + _S61 * (-1.55506408214569092f + _S61 * (7.10253477096557617f + _S61 * (-16.75164794921875f + _S61 * (22.75126266479492188f + _S61 * (-15.08054447174072266f + _S61 * 3.76787090301513672f))))));
 }
 
 fn skin_relief_light_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3<f32>
@@ -898,16 +835,16 @@ fn skin_relief_light_0( lengths_1 : vec3<f32>,  cos_theta_1 : vec3<f32>) -> vec3
     return vec3<f32>(skin_relief_bump_0(lengths_1.x * cos_theta_1.x, slope_1.x), skin_relief_bump_0(lengths_1.y * cos_theta_1.y, slope_1.y), skin_relief_bump_0(lengths_1.z * cos_theta_1.z, slope_1.z));
 }
 
-fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_3 : vec3<f32>,  curvature_per_mm_7 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
+fn skin_direct_scalar_0( lut_1 : texture_2d<f32>,  lut_sampler_2 : sampler,  lut_axes_1 : vec4<f32>,  normals_3 : mat3x3<f32>,  light_1 : vec3<f32>,  curvature_per_mm_6 : f32,  gain_0 : vec3<f32>) -> vec3<f32>
 {
     var lengths_2 : vec3<f32> = skin_lengths_0(normals_3);
-    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_3, light_3, lengths_2);
-    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_4, lut_axes_3, cos_theta_2, abs(curvature_per_mm_7)) + skin_relief_light_0(lengths_2, cos_theta_2));
+    var cos_theta_2 : vec3<f32> = skin_cosines_0(normals_3, light_1, lengths_2);
+    return gain_0 * (lengths_2 * skin_curvature_table_0(lut_1, lut_sampler_2, lut_axes_1, cos_theta_2, abs(curvature_per_mm_6)) + skin_relief_light_0(lengths_2, cos_theta_2));
 }
 
-fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_5 : vec3<f32>,  light_4 : vec3<f32>) -> vec2<f32>
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_5 : vec3<f32>,  light_2 : vec3<f32>) -> vec2<f32>
 {
-    var tangential_0 : vec3<f32> = light_4 - normal_5 * vec3<f32>(dot(light_4, normal_5));
+    var tangential_0 : vec3<f32> = light_2 - normal_5 * vec3<f32>(dot(light_2, normal_5));
     var change_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
     var total_11 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
     return vec2<f32>(min(sqrt(dot(change_0, change_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_11), total_11);
@@ -918,32 +855,100 @@ fn skin_transfer_0( transfer_0 : texture_2d<f32>,  transfer_sampler_0 : sampler,
     return (textureSampleLevel((transfer_0), (transfer_sampler_0), (saturate((vec2<f32>(sqrt(max(k_per_mm_0, 0.0f)), 0.5f) - transfer_axes_1.xz) * transfer_axes_1.yw)), (0.0f))).xyz;
 }
 
-fn skin_direct_tensor_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_4 : mat3x3<f32>,  light_5 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
+fn skin_direct_tensor_0( lut_2 : texture_2d<f32>,  lut_sampler_3 : sampler,  lut_axes_2 : vec4<f32>,  transfer_1 : texture_2d<f32>,  transfer_sampler_1 : sampler,  transfer_axes_2 : vec4<f32>,  normals_4 : mat3x3<f32>,  light_3 : vec3<f32>,  directional_per_mm_0 : f32,  total_per_mm_0 : f32,  gain_1 : vec3<f32>) -> vec3<f32>
 {
     var lengths_3 : vec3<f32> = skin_lengths_0(normals_4);
-    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_4, light_5, lengths_3);
-    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_4, lut_sampler_5, lut_axes_4, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_relief_light_0(lengths_3, cos_theta_3));
+    var cos_theta_3 : vec3<f32> = skin_cosines_0(normals_4, light_3, lengths_3);
+    return gain_1 * (lengths_3 * (skin_curvature_table_0(lut_2, lut_sampler_3, lut_axes_2, cos_theta_3, directional_per_mm_0) * skin_transfer_0(transfer_1, transfer_sampler_1, transfer_axes_2, sqrt(max((total_per_mm_0 - directional_per_mm_0) * (total_per_mm_0 + directional_per_mm_0), 0.0f)))) + skin_relief_light_0(lengths_3, cos_theta_3));
 }
 
-fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  normals_5 : mat3x3<f32>,  relief_length_1 : vec3<f32>,  light_6 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
+fn skin_direct_diffused_normals_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut_axes_3 : vec4<f32>,  transfer_2 : texture_2d<f32>,  transfer_sampler_2 : sampler,  transfer_axes_3 : vec4<f32>,  normals_5 : mat3x3<f32>,  relief_length_1 : vec3<f32>,  light_4 : vec3<f32>,  directional_per_mm_1 : f32,  gain_2 : vec3<f32>) -> vec3<f32>
 {
     var lengths_4 : vec3<f32> = skin_lengths_0(normals_5);
-    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_5, light_6, lengths_4);
-    return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_relief_light_0(relief_length_1, cos_theta_4));
+    var cos_theta_4 : vec3<f32> = skin_cosines_0(normals_5, light_4, lengths_4);
+    return gain_2 * (skin_curvature_table_0(lut_3, lut_sampler_4, lut_axes_3, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_relief_light_0(relief_length_1, cos_theta_4));
 }
 
-fn diffused_light_0( s_5 : Surface_0,  d_1 : Diffused_0,  to_light_3 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
+fn diffused_light_0( s_4 : Surface_0,  d_1 : Diffused_0,  to_light_3 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
 {
     if(TIER_0 == i32(0))
     {
-        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_1.normals_1, to_light_3, s_5.curvature_per_mm_0, gain_3);
+        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_1.normals_1, to_light_3, s_4.curvature_per_mm_0, gain_3);
     }
-    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_5.tensor_1, s_5.mesh_normal_0, to_light_3);
+    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_4.tensor_1, s_4.mesh_normal_0, to_light_3);
     if(TIER_0 == i32(1))
     {
         return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_1.normals_1, to_light_3, bends_0.x, bends_0.y, gain_3);
     }
     return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_1.with_mesh_0, d_1.relief_length_0, to_light_3, bends_0.x, gain_3);
+}
+
+fn skin_diffused_shadow_0( lut_4 : texture_2d<f32>,  lut_sampler_5 : sampler,  lut_axes_4 : vec4<f32>,  shadow_filter_1 : f32,  n_dot_l_0 : f32,  filter_width_mm_0 : f32) -> vec3<f32>
+{
+    return (textureSampleLevel((lut_4), (lut_sampler_5), (saturate((vec2<f32>(shadow_filter_1, max(n_dot_l_0, 0.05000000074505806f) / filter_width_mm_0) - lut_axes_4.xz) * lut_axes_4.yw)), (0.0f))).xyz;
+}
+
+fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_1 : f32) -> f32
+{
+    var t_5 : f32 = thickness_mm_1 / radius_mm_1;
+    return exp(-0.5f * t_5 * t_5);
+}
+
+fn skin_classic_deep_scatter_0( thickness_mm_2 : f32,  n_dot_l_1 : f32,  radius_mm_2 : f32,  strength_0 : f32) -> f32
+{
+    return strength_0 * skin_classic_transmittance_0(thickness_mm_2, radius_mm_2) * max(0.30000001192092896f - n_dot_l_1, 0.0f);
+}
+
+fn skin_transmittance_0( thickness_mm_3 : f32,  albedo_3 : vec3<f32>,  sigma_per_mm_1 : vec3<f32>) -> vec3<f32>
+{
+    var a2_0 : vec3<f32> = albedo_3 * albedo_3;
+    var decay_0 : vec3<f32> = exp((vec3<f32>(0) - sigma_per_mm_1) * vec3<f32>(thickness_mm_3));
+    var _S62 : vec3<f32> = vec3<f32>(1.0f);
+    return (_S62 - a2_0) * decay_0 / (_S62 - a2_0 * decay_0 * decay_0);
+}
+
+fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_2 : f32,  strength_1 : f32) -> vec3<f32>
+{
+    return vec3<f32>(strength_1) * transmitted_0 * vec3<f32>(max(- n_dot_l_2, 0.0f));
+}
+
+fn light_through_0( s_5 : Surface_0,  light_5 : Incident_0) -> vec3<f32>
+{
+    var n_dot_l_3 : f32 = dot(s_5.blurred_0, light_5.to_light_2);
+    if(SHADING_0 == i32(1))
+    {
+        return vec3<f32>(skin_classic_deep_scatter_0(light_5.thickness_mm_0, n_dot_l_3, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
+    }
+    return skin_direct_deep_scatter_0(skin_transmittance_0(light_5.thickness_mm_0, scatter_block_0.albedo_0.xyz, scatter_block_0.sigma_per_mm_0.xyz) / scatter_block_0.albedo_0.xyz, n_dot_l_3, skin_block_0.deep_scatter_strength_0);
+}
+
+fn skin_through_beyond_0( through_3 : vec3<f32>,  diffused_0 : vec3<f32>) -> vec3<f32>
+{
+    return max(through_3 - diffused_0, vec3<f32>(0.0f));
+}
+
+fn skin_smoothstep_0( p_2 : f32) -> f32
+{
+    var q_0 : f32 = saturate(p_2);
+    return q_0 * q_0 * (3.0f - 2.0f * q_0);
+}
+
+fn skin_sharpened_shadow_0( shadow_filter_2 : f32,  sharpening_0 : f32) -> f32
+{
+    return skin_smoothstep_0((0.5f - sin(asin(1.0f - 2.0f * saturate(shadow_filter_2)) / 3.0f) - 0.5f) * sharpening_0 + 0.5f);
+}
+
+fn skin_classic_sharpened_shadow_0( shadow_filter_3 : f32,  sharpening_1 : f32) -> f32
+{
+    return skin_smoothstep_0(0.89999997615814209f * sharpening_1 * (shadow_filter_3 - 0.5f) + 0.5f);
+}
+
+fn skin_classic_direct_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sampler,  lut_axes_5 : vec4<f32>,  sharp_3 : vec3<f32>,  blurred_2 : vec3<f32>,  light_6 : vec3<f32>,  curvature_per_mm_7 : f32) -> vec3<f32>
+{
+    var blurred_cosine_0 : f32 = dot(blurred_2, light_6);
+    var k_0 : f32 = saturate(1.0f - blurred_cosine_0);
+    var k_1 : f32 = k_0 * k_0;
+    return saturate(saturate(vec3<f32>(blurred_cosine_0, dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>((0.30000001192092896f + 0.69999998807907104f * k_1)))), light_6), dot(skin_unit_vectors_0(mix(sharp_3, blurred_2, vec3<f32>(k_1))), light_6))) + ((textureSampleLevel((lut_5), (lut_sampler_6), (saturate((vec2<f32>(blurred_cosine_0, abs(curvature_per_mm_7)) - lut_axes_5.xz) * lut_axes_5.yw)), (0.0f))).xyz - vec3<f32>(max(blurred_cosine_0, 0.0f))));
 }
 
 fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : f32) -> f32
@@ -1256,9 +1261,9 @@ struct pixelInput_0
 @fragment
 fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : vec4<f32>) -> pixelOutput_0
 {
-    var direct_0 : vec3<f32>;
-    var direct_1 : vec3<f32>;
-    var direct_2 : vec3<f32>;
+    var diffuse_1 : vec3<f32>;
+    var diffuse_2 : vec3<f32>;
+    var diffuse_3 : vec3<f32>;
     var _S86 : Fragment_0 = Fragment_0( clip_2, _S85.v0_3, _S85.v1_3, _S85.v2_3, _S85.v3_3, _S85.v4_3, _S85.v5_3, _S85.v6_3, _S85.v7_3, _S85.v8_3, _S85.v9_3, _S85.v10_3, _S85.v11_3, _S85.v12_3 );
     var a_2 : Attributes_0 = attributes_of_0(_S86);
     var _S87 : vec2<f32> = vec2<f32>(frame_block_0.footprint_0);
@@ -1312,15 +1317,15 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         normals_8 = _S96;
     }
     var _S99 : bool = SHADING_0 == i32(2);
-    var diffused_0 : Diffused_0;
+    var diffused_1 : Diffused_0;
     var gain_4 : vec3<f32>;
     if(_S99)
     {
-        var diffused_1 : Diffused_0 = diffused_surface_0(s_12);
+        var diffused_2 : Diffused_0 = diffused_surface_0(s_12);
         var _S100 : vec3<f32> = skin_energy_gain_0(scatter_block_0.albedo_0.xyz, scatter_block_0.rms_radius_mm_0.xyz, s_12.diffused_curvature_per_mm_0);
-        diffused_0 = diffused_1;
+        diffused_1 = diffused_2;
         gain_4 = _S100;
-        normals_8 = diffused_1.normals_1;
+        normals_8 = diffused_2.normals_1;
     }
     else
     {
@@ -1356,7 +1361,7 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     var index_1 : i32 = i32(0);
     var deep_0 : vec3<f32> = _S101;
-    var direct_3 : vec3<f32> = _S101;
+    var direct_0 : vec3<f32> = _S101;
     var specular_0 : vec3<f32> = _S101;
     for(;;)
     {
@@ -1375,9 +1380,9 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         }
         var n_dot_l_7 : f32 = dot(s_12.mesh_normal_0, light_9.to_light_2);
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
-        if(TAPS_0 > i32(0))
+        if(_S99)
         {
-            _S88 = (dot(s_12.blurred_0, light_9.to_light_2)) < 0.30000001192092896f;
+            _S88 = (light_9.shadow_filter_0) > 0.0f;
         }
         else
         {
@@ -1385,68 +1390,86 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         }
         if(_S88)
         {
-            deep_0 = deep_0 + light_9.radiance_0 * tint_1 * light_through_0(s_12, light_9);
+            diffuse_1 = diffused_light_0(s_12, diffused_1, light_9.to_light_2, gain_4) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
+        }
+        else
+        {
+            diffuse_1 = _S101;
+        }
+        var _S103 : bool;
+        if(TAPS_0 > i32(0))
+        {
+            _S103 = (dot(s_12.blurred_0, light_9.to_light_2)) < 0.30000001192092896f;
+        }
+        else
+        {
+            _S103 = false;
+        }
+        if(_S103)
+        {
+            var through_4 : vec3<f32> = light_through_0(s_12, light_9);
+            if(_S99)
+            {
+                diffuse_2 = skin_through_beyond_0(through_4, diffuse_1);
+            }
+            else
+            {
+                diffuse_2 = through_4;
+            }
+            deep_0 = deep_0 + light_9.radiance_0 * tint_1 * diffuse_2;
         }
         if((light_9.shadow_filter_0) == 0.0f)
         {
-            var _S103 : i32 = index_1 + i32(1);
+            var _S104 : i32 = index_1 + i32(1);
             largest_filter_0 = _S102;
-            index_1 = _S103;
+            index_1 = _S104;
             continue;
         }
         var lit_0 : f32 = skin_sharpened_shadow_0(light_9.shadow_filter_0, skin_block_0.shadow_sharpening_0);
         if(SHADING_0 == i32(0))
         {
-            direct_0 = direct_3 + light_9.radiance_0 * vec3<f32>(max(dot(s_12.sharp_0, light_9.to_light_2), 0.0f)) * vec3<f32>(lit_0);
+            diffuse_2 = vec3<f32>((max(dot(s_12.sharp_0, light_9.to_light_2), 0.0f) * lit_0));
         }
         else
         {
-            direct_0 = direct_3;
+            diffuse_2 = diffuse_1;
         }
         var lit_1 : f32;
         if(_S98)
         {
-            var direct_4 : vec3<f32> = direct_0 + light_9.radiance_0 * skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_12.sharp_0, s_12.blurred_0, light_9.to_light_2, s_12.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
+            var diffuse_4 : vec3<f32> = skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_12.sharp_0, s_12.blurred_0, light_9.to_light_2, s_12.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
             lit_1 = skin_classic_sharpened_shadow_0(light_9.shadow_filter_0, skin_block_0.shadow_sharpening_0);
-            direct_1 = direct_4;
+            diffuse_3 = diffuse_4;
         }
         else
         {
             lit_1 = lit_0;
-            direct_1 = direct_0;
-        }
-        if(_S99)
-        {
-            direct_2 = direct_1 + light_9.radiance_0 * diffused_light_0(s_12, diffused_0, light_9.to_light_2, gain_4) * skin_diffused_shadow_0(shadow_lut_0, lut_sampler_0, scatter_block_0.shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
-        }
-        else
-        {
-            direct_2 = direct_1;
+            diffuse_3 = diffuse_2;
         }
         var specular_1 : vec3<f32> = specular_0 + light_9.radiance_0 * vec3<f32>(lit_1) * vec3<f32>(highlight_0(s_12, light_9.to_light_2));
-        direct_3 = direct_2;
+        direct_0 = direct_0 + light_9.radiance_0 * diffuse_3;
         specular_0 = specular_1;
-        var _S103 : i32 = index_1 + i32(1);
+        var _S104 : i32 = index_1 + i32(1);
         largest_filter_0 = _S102;
-        index_1 = _S103;
+        index_1 = _S104;
     }
     if(VIEW_0 == i32(4))
     {
-        var _S104 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
-        return _S104;
+        var _S105 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(saturate(thinnest_0 / 30.0f))), 1.0f) );
+        return _S105;
     }
     if(VIEW_0 == i32(5))
     {
-        var _S105 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(largest_filter_0)), 1.0f) );
-        return _S105;
+        var _S106 : pixelOutput_0 = pixelOutput_0( vec4<f32>(skin_linear_from_srgb_0(vec3<f32>(largest_filter_0)), 1.0f) );
+        return _S106;
     }
     var n_dot_v_13 : f32 = dot(s_12.sharp_0, s_12.view_0);
     if(ENVIRONMENT_0 > i32(0))
     {
-        var _S106 : vec3<f32> = gain_4 * (sky_light_0(normals_8) * s_12.visibility_1 + s_12.bounced_1);
+        var _S107 : vec3<f32> = gain_4 * (sky_light_0(normals_8) * s_12.visibility_1 + s_12.bounced_1);
         var share_5 : f32;
         var sky_1 : vec3<f32> = reflected_sky_0(s_12, n_dot_v_13, &(share_5));
-        var _S107 : vec3<f32> = skin_occluded_reflection_0(sky_1, vec3<f32>(share_5) * s_12.bounced_1, s_12.sky_harmonics_1, s_12.mesh_normal_0, skin_reflected_0(s_12.sharp_0, s_12.view_0));
+        var _S108 : vec3<f32> = skin_occluded_reflection_0(sky_1, vec3<f32>(share_5) * s_12.bounced_1, s_12.sky_harmonics_1, s_12.mesh_normal_0, skin_reflected_0(s_12.sharp_0, s_12.view_0));
         if(_S99)
         {
             _S88 = TAPS_0 > i32(0);
@@ -1457,22 +1480,22 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
         }
         if(_S88)
         {
-            direct_0 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_12.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
+            diffuse_1 = vec3<f32>(skin_block_0.deep_scatter_strength_0) * s_12.through_1 / scatter_block_0.albedo_0.xyz * tint_1;
         }
         else
         {
-            direct_0 = _S101;
+            diffuse_1 = _S101;
         }
-        var _S108 : vec3<f32> = direct_0;
-        direct_0 = _S107;
-        direct_1 = _S106;
-        direct_2 = _S108;
+        var _S109 : vec3<f32> = diffuse_1;
+        diffuse_1 = _S108;
+        diffuse_2 = _S107;
+        diffuse_3 = _S109;
     }
     else
     {
-        direct_0 = _S101;
-        direct_1 = _S101;
-        direct_2 = _S101;
+        diffuse_1 = _S101;
+        diffuse_2 = _S101;
+        diffuse_3 = _S101;
     }
     if(_S99)
     {
@@ -1507,19 +1530,19 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     {
         body_0 = body_0 * vec3<f32>(diffused_share_0(s_12, n_dot_v_13));
     }
-    var direct_5 : vec3<f32> = direct_3 * body_0;
+    var direct_1 : vec3<f32> = direct_0 * body_0;
     var deep_1 : vec3<f32> = deep_0 * body_0;
-    var ambient_0 : vec3<f32> = direct_1 * body_0;
-    var ambient_deep_0 : vec3<f32> = direct_2 * body_0;
-    var _S109 : vec3<f32> = direct_5 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + direct_0;
+    var ambient_0 : vec3<f32> = diffuse_2 * body_0;
+    var ambient_deep_0 : vec3<f32> = diffuse_3 * body_0;
+    var _S110 : vec3<f32> = direct_1 + deep_1 + specular_0 + ambient_0 + ambient_deep_0 + diffuse_1;
     var color_0 : vec3<f32>;
     if(VIEW_0 == i32(7))
     {
-        color_0 = direct_5;
+        color_0 = direct_1;
     }
     else
     {
-        color_0 = _S109;
+        color_0 = _S110;
     }
     if(VIEW_0 == i32(8))
     {
@@ -1539,13 +1562,13 @@ fn fragment_main( _S85 : pixelInput_0, @invariant @builtin(position) clip_2 : ve
     }
     if(VIEW_0 == i32(12))
     {
-        color_0 = direct_0;
+        color_0 = diffuse_1;
     }
     if(MULTISAMPLED_0 > i32(0))
     {
         color_0 = min(color_0, vec3<f32>(60000.0f));
     }
-    var _S110 : pixelOutput_0 = pixelOutput_0( vec4<f32>(color_0, 1.0f) );
-    return _S110;
+    var _S111 : pixelOutput_0 = pixelOutput_0( vec4<f32>(color_0, 1.0f) );
+    return _S111;
 }
 
