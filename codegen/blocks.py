@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import Field, dataclass
 from typing import Any
@@ -20,12 +21,13 @@ __all__ = [
     "block_text",
     "echo_source",
     "field_comment",
+    "stem_of",
 ]
 
 LANGUAGES: tuple[Language, ...] = ("wgsl", "glsl", "hlsl", "metal")
 
 HEADER = "// Generated from skinshade.params by `python -m codegen`.\n"
-LIBRARY_BLOCKS = ("SkinBlock", "ScatterBlock")
+LIBRARY_BLOCKS = ("SkinBlock", "ScatterBlock", "EyeBlock", "EyePlaceBlock")
 """Blocks that engines fill; only the renderer fills the others."""
 
 
@@ -126,8 +128,13 @@ def echo_source() -> str:
     return "\n".join([*lines, ""])
 
 
+def stem_of(block: str) -> str:
+    """Return the name of a block in lower case: ``eye_place`` of ``EyePlaceBlock``."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", block.removesuffix("Block")).lower()
+
+
 def _instance(block: str) -> str:
-    return block.replace("Block", "_block").lower()
+    return f"{stem_of(block)}_block"
 
 
 def _ordered(block: type) -> list[Field[Any]]:

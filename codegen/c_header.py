@@ -11,7 +11,7 @@ from skinshade._core.version import __version__
 from skinshade.params import BLOCKS
 from skinshade.params.fields import meaning, number_fields
 
-from .blocks import LIBRARY_BLOCKS, field_comment
+from .blocks import LIBRARY_BLOCKS, field_comment, stem_of
 
 __all__ = ["c_header"]
 
@@ -111,7 +111,7 @@ def c_header(layouts: dict[str, Any]) -> str:
 
 
 def _block(block: str, layout: dict[str, Any]) -> str:
-    stem = block.removesuffix("Block").lower()
+    stem = stem_of(block)
     block_fields = number_fields(BLOCKS[block])
     config, upper = f"skinshade_{stem}_config", stem.upper()
     lines = [f"#define SKINSHADE_{upper}_BLOCK_SIZE {layout['size']}", ""]

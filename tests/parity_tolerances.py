@@ -45,6 +45,18 @@ PARITY = {
         2e-6,
         "a depth of 2000 mm is exact to 1e-3 near the far plane",
     ),
+    "skin_eye_cornea_hit": Parity(1e-4, 0.0, "a quotient that grows where a ray grazes the cornea"),
+    "skin_eye_iris_hit": Parity(4e-5, 0.0, "up to 20 mm along a ray that is oblique to the iris"),
+    "skin_eye_iris_uv": Parity(2e-4, 0.0, "browsers may err by 2^-11 in the sine of the turn"),
+    "skin_lamp_highlight": Parity(
+        5e-3, 1e-3, "a difference of directions, rounded to 6e-8, over an edge of .02"
+    ),
+    "skin_eye_light": Parity(
+        6e-3,
+        0.0,
+        "filter weights of 8 bits between texels, whose values differ by up to .5 in x and y",
+    ),
+    "skin_eye_ambient": Parity(2e-3, 0.0, "filter weights of 8 bits between texels"),
     "skin_linear_depth": Parity(0.0, 2e-6, "up to 2000 mm; depth to one rounding of its far plane"),
     "skin_equirectangular_uv": Parity(
         1e-6, 0.0, "a polynomial approximates the arc tangent within 4e-7 of a turn"

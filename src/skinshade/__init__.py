@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         mesh_uv_scale,
         vertex_attributes,
     )
-    from .params import SkinParams
+    from .params import EyeParams, SkinParams
     from .profile import Profile, presets
     from .rendering import RenderedImage, RenderSettings, open_renderer, render, save_image
     from .scene import (
@@ -44,6 +44,7 @@ if TYPE_CHECKING:
         split_sun,
     )
     from .sdk import export_shaders
+    from .shading.eye_tables import EyeLuts, build_eye_lut
     from .shading.skin import Skin
     from .shading.tables import build_curvature_lut
 
@@ -53,6 +54,8 @@ __all__ = [
     "Camera",
     "DirectionalLight",
     "Environment",
+    "EyeLuts",
+    "EyeParams",
     "Head",
     "InputError",
     "Limits",
@@ -71,6 +74,7 @@ __all__ = [
     "__version__",
     "bake",
     "build_curvature_lut",
+    "build_eye_lut",
     "build_shadow_lut",
     "build_transfer_lut",
     "builtin_head",
@@ -117,7 +121,7 @@ _MODULES = {
         "mesh_uv_scale",
         "vertex_attributes",
     ),
-    ".params": ("SkinParams",),
+    ".params": ("EyeParams", "SkinParams"),
     ".profile": ("Profile", "presets"),
     ".rendering": ("RenderSettings", "RenderedImage", "open_renderer", "render", "save_image"),
     ".scene": (
@@ -132,6 +136,7 @@ _MODULES = {
         "split_sun",
     ),
     ".sdk": ("export_shaders",),
+    ".shading.eye_tables": ("EyeLuts", "build_eye_lut"),
     ".shading.skin": ("Skin",),
     ".shading.tables": ("build_curvature_lut",),
 }

@@ -58,9 +58,18 @@ MEMBERS = {
     "Scene": ["mesh", "camera", "material", "lights", "environment"],
 }
 FURTHER_NAMES = [
-    *("Camera", "DirectionalLight", "Environment", "Material", "SkinParams", "SpotLight"),
+    *(
+        "Camera",
+        "DirectionalLight",
+        "Environment",
+        "EyeLuts",
+        "EyeParams",
+        "Material",
+        "SkinParams",
+        "SpotLight",
+    ),
     *("InputError", "SkinshadeError", "__version__", "BakeSettings", "RenderedImage"),
-    *("Skin", "build_transfer_lut", "export_shaders", "gpu", "vertex_attributes"),
+    *("Skin", "build_eye_lut", "build_transfer_lut", "export_shaders", "gpu", "vertex_attributes"),
     *("AmbientTransfer", "Limits", "Part", "mesh_ambient_transfer", "mesh_thickness"),
 ]
 

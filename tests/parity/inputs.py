@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from skinshade.params import EyeParams
+from skinshade.params.eye import lid_plane
+from skinshade.shading.eye import eye_height
+
 COUNT = 512
 
 
@@ -114,6 +118,58 @@ def footprint(rng):
     return along
 
 
+EYE = EyeParams()
+
+
+def eye_pack(pack, spread):
+    """Return packs of parameters of eyes near the default."""
+    return lambda rng: pack + rng.uniform(-1.0, 1.0, (COUNT, 4)) * spread
+
+
+def on_eye(rng, widest=9.0):
+    """Return points near the front of an eye, the apex among them."""
+    r, phi = widest * np.sqrt(rng.random(COUNT)), rng.uniform(0.0, 2.0 * np.pi, COUNT)
+    r[0] = 0.0
+    z = eye_height(r, EYE.cornea, EYE.limbus) + rng.uniform(-0.05, 0.05, COUNT)
+    return np.stack([r * np.cos(phi), r * np.sin(phi), z], axis=1)
+
+
+def on_cornea(rng):
+    return on_eye(rng, 5.5)
+
+
+def on_iris(rng):
+    r, phi = rng.uniform(0.0, 6.5, COUNT), rng.uniform(0.0, 2.0 * np.pi, COUNT)
+    r[0] = 0.0
+    return np.stack([r * np.cos(phi), r * np.sin(phi), 9.4 - 0.08 * r], axis=1)
+
+
+def forward(angle_deg, sign=1.0):
+    """Return a function that draws unit vectors within an angle of the gaze, or of its opposite."""
+
+    def draw(rng):
+        z = rng.uniform(np.cos(np.radians(angle_deg)), 1.0, COUNT)
+        z[0], phi = 1.0, rng.uniform(0.0, 2.0 * np.pi, COUNT)
+        s = np.sqrt(1.0 - z * z)
+        return np.stack([s * np.cos(phi), s * np.sin(phi), sign * z], axis=1)
+
+    return draw
+
+
+def lid(height_mm):
+    return lambda rng: np.stack([lid_plane(height_mm * k) for k in rng.uniform(0.2, 1.2, COUNT)])
+
+
+def near_pairs(rng):
+    """Return unit vectors near +x, as a lamp and its reflection are."""
+    v = np.array([1.0, 0.0, 0.0]) + rng.normal(size=(COUNT, 3)) * 0.1
+    return v / np.linalg.norm(v, axis=1, keepdims=True)
+
+
+def uniform_rows(low, high):
+    return lambda rng: rng.uniform(low, high, (COUNT, len(low)))
+
+
 VALUES = {
     "albedo": rgb(0.02, 0.95),
     "bias_mm": one_for_all(0.1, 5.0),
@@ -191,6 +247,29 @@ VALUES = {
     "uv_along_y": footprint,
     "uv_scale_mm": one_for_all(100.0, 900.0),
     "view": unit,
+    "cornea": eye_pack(EYE.cornea, (0.1, 0.3, 0.1, 0.03)),
+    "cornea_asphericity": uniform(-0.8, 0.3, 0.0),
+    "cornea_radius_mm": uniform(6.5, 10.0),
+    "cosine": uniform(-0.2, 1.0, 0.0),
+    "height_mm": uniform(0.0, 0.3),
+    "hit_mm": on_iris,
+    "index": uniform(1.1, 1.6),
+    "iris": eye_pack(EYE.iris, (0.1, 0.25, 0.5, 1.0)),
+    "iris_normal": forward(30.0),
+    "iris_uv": uniform_rows((0.0, 0.0, 0.0, -1.0), (1.0, 1.0, 0.5, 1.0)),
+    "lamp": uniform(0.001, 0.3),
+    "lid": lid(4.2),
+    "limbus": eye_pack(EYE.limbus, (0.3, 0.2, 0.3, 0.0)),
+    "lower": lid(-5.6),
+    "luminance": lambda rng: 10.0 ** rng.uniform(-8.0, 9.0, COUNT),
+    "margin_mm": uniform(0.05, 0.5),
+    "origin_mm": on_eye,
+    "pupil_in_map": uniform(0.0, 0.9),
+    "r_mm": uniform(0.0, 7.0),
+    "reflected": near_pairs,
+    "refraction_index": uniform(1.2, 1.6),
+    "spread": uniform(0.002, 0.3),
+    "upper": lid(4.2),
     "visibility": uniform(0.0, 1.0),
     "bounced": rgb(0.0, 1.0),
     "diffused": rgb(0.0, 1.0),
@@ -201,6 +280,26 @@ VALUES = {
 """Functions that draw values, by the parameter's name, which has one meaning in the library."""
 
 BY_FUNCTION = {
+    ("skin_eye_cornea_hit", "direction"): forward(45.0, -1.0),
+    ("skin_eye_cornea_hit", "origin_mm"): on_cornea,
+    ("skin_eye_iris_hit", "iris"): eye_pack(EYE.iris, (0.1, 0.08, 0.5, 1.0)),
+    ("skin_eye_iris_hit", "normal"): forward(40.0),
+    ("skin_eye_iris_hit", "position_mm"): on_cornea,
+    ("skin_eye_iris_hit", "view"): forward(75.0),
+    ("skin_eye_iris_parallax", "direction"): forward(50.0, -1.0),
+    ("skin_eye_light", "light"): forward(120.0),
+    ("skin_eye_normal", "position_mm"): on_eye,
+    ("skin_lamp_highlight", "light"): near_pairs,
+    ("skin_lamp_highlight", "roughness"): uniform(0.01, 0.3),
+    ("skin_lid_openness", "normal"): forward(50.0),
+    ("skin_lid_openness", "position_mm"): on_eye,
+    ("skin_lid_openness", "radius_mm"): one_for_all(13.5, 15.0),
+    ("skin_lid_visibility", "direction"): forward(75.0),
+    ("skin_lid_visibility", "position_mm"): on_eye,
+    ("skin_lid_visibility", "radius_mm"): one_for_all(13.5, 15.0),
+    ("skin_tear_normal", "height_mm"): uniform(0.2, 8.0),
+    ("skin_tear_normal", "normal"): forward(50.0),
+    ("skin_tear_normal", "position_mm"): on_eye,
     ("skin_energy_gain", "curvature_per_mm"): rgb(-0.5, 0.5),
     ("skin_bounced_visibility", "visibility"): rgb(0.0, 1.0),
     ("skin_filmic", "light"): rgb(0.0, 20.0),

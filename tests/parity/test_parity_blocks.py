@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from skinshade._core.errors import ArgumentError
 from skinshade._core.generated import generated_text
 from skinshade.params import BLOCKS
 from skinshade.params.fields import meaning, number_fields
@@ -26,7 +28,16 @@ def filled(block):
             strategy = st.tuples(*[strategy] * size)
         return strategy
 
-    return st.builds(block, **{field.name: values(field) for field in number_fields(block)})
+    rows = st.fixed_dictionaries({field.name: values(field) for field in number_fields(block)})
+    return rows.map(partial(consistent, block)).filter(lambda params: params is not None)
+
+
+def consistent(block, row):
+    """Return a block, or None if its fields do not fit each other."""
+    try:
+        return block(**row)
+    except ArgumentError:
+        return None
 
 
 @pytest.fixture(scope="module")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 
@@ -12,6 +13,7 @@ from skinshade.lut import build_coat_lut, build_shadow_lut
 from skinshade.lut.classic import classic_curvature_lut
 from skinshade.profile import Profile
 from skinshade.scene import Environment
+from skinshade.shading.eye_tables import build_eye_lut
 from skinshade.shading.normals import NormalBlend
 from skinshade.shading.tables import build_curvature_lut
 
@@ -64,8 +66,19 @@ def depth_map(signature):
     return values * np.float32(0.97)
 
 
+def eye_table(name):
+    """Return a table with the axes of those of an eye and smooth values."""
+    own = getattr(build_eye_lut(), name)
+    height, width, _ = own.values.shape
+    v, u = np.mgrid[:height, :width]
+    waves = [np.sin(0.2 * u + 0.3 * (v % 16) + phase) for phase in range(3)]
+    return replace(own, values=np.stack(waves, axis=-1).astype(np.float32))
+
+
 def lut_of(signature):
-    if signature.file == "shadow":
+    if signature.file == "eye_light":
+        lut = eye_table("lamp" if signature.twin == "eye_light" else "surroundings")
+    elif signature.file == "shadow":
         lut = build_shadow_lut(SKIN, size=(512, 64), width_mm=(4.0, 400.0))
     elif signature.file == "coat":
         lut = build_coat_lut()

@@ -21,7 +21,7 @@ from .files import read_table, write_table
 
 __all__ = ["Axis", "Lut", "LutKind", "checked_range", "checked_size"]
 
-LutKind = Literal["curvature", "shadow", "transfer", "coat"]
+LutKind = Literal["curvature", "shadow", "transfer", "coat", "eye-lamp", "eye-surroundings"]
 Spacing = Literal["linear", "sqrt"]
 
 
@@ -95,7 +95,7 @@ class Lut:
     values
         (H, W, 3) float32 physical values, without encoding or offset; read-only.
     kind
-        ``curvature``, ``shadow``, ``transfer`` or ``coat``.
+        ``curvature``, ``shadow``, ``transfer``, ``coat``, ``eye-lamp`` or ``eye-surroundings``.
     columns, rows
         Axes along the width and the height.
     provenance
@@ -127,9 +127,8 @@ class Lut:
         if not np.isfinite(self.values).all():
             raise ArgumentError("values: all values must be finite")
         if self.kind not in get_args(LutKind):
-            raise ArgumentError(
-                f"kind is {self.kind!r}; it must be one of {', '.join(get_args(LutKind))}"
-            )
+            kinds = ", ".join(get_args(LutKind))
+            raise ArgumentError(f"kind is {self.kind!r}; it must be one of {kinds}")
         values = np.array(self.values, dtype=np.float32)
         values.setflags(write=False)
         object.__setattr__(self, "values", values)

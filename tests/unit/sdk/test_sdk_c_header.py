@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 import subprocess
 from importlib.resources import files
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from codegen.blocks import LIBRARY_BLOCKS
+from codegen.blocks import LIBRARY_BLOCKS, stem_of
 from gpu_device import tool_or_skip
 from skinshade.params import BLOCKS
 from skinshade.params.fields import meaning, number_fields
+from skinshade.params.packing import pack
 
 COUNT = 200
 COMPILERS = {"gcc": ["gcc", "-std=c99", "-x", "c"], "g++": ["g++", "-std=c++11", "-x", "c++"]}
@@ -52,10 +54,6 @@ int main(void)
     return 0;
 }}
 """
-
-
-def stem_of(block):
-    return block.removesuffix("Block").lower()
 
 
 def run(compiler, program, block, folder, rows=b""):
@@ -100,7 +98,7 @@ def packed_by_python(block, columns, row):
         # C compares in float32: a limit that float32 rounds outwards is within its range.
         values = tuple(min(max(float(v), m.low), m.high) for v in column[row])
         arguments[field.name] = values if isinstance(field.default, tuple) else values[0]
-    return BLOCKS[block](**arguments).pack()
+    return pack(block, SimpleNamespace(**arguments))  # C does not check that fields fit each other
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)

@@ -34,3 +34,40 @@ struct ScatterBlock
     normal_sigmas_mm : vec2<f32>, // 0..10000 mm. Standard deviations of the narrow and the wide blur of the normal map.
     coat_reflectance : f32, // 0..0.2. Reflectance at normal incidence that the coat's table was built for.
 };
+
+struct EyeBlock
+{
+    iris_uv : vec4<f32>, // -16..16. Centre of the iris in its map, its radius there, and turns counterclockwise.
+    sclera_radius_mm : f32, // 8..16 mm. Radius of the sclera.
+    limbus_radius_mm : f32, // 4..8 mm. Radius of the limbus, where cornea and sclera meet; half the white-to-white distance.
+    limbus_width_mm : f32, // 0.1..1.5 mm. Half the width of the blend between cornea and sclera.
+    cornea_radius_mm : f32, // 6..10 mm. Radius of curvature at the apex of the cornea.
+    cornea_asphericity : f32, // -0.8..0.3. Asphericity Q of the cornea; 0 for a sphere.
+    refraction_index : f32, // 1..1.6. Index of the one refracting surface that replaces both surfaces of the cornea.
+    tear_index : f32, // 1..1.6. Index of tears, which reflect.
+    aqueous_index : f32, // 1..1.6. Index of the aqueous humour.
+    iris_depth_mm : f32, // 1..6 mm. Depth of the iris behind the apex of the cornea, on the axis.
+    iris_slope : f32, // -0.3..0.3. Fall of the iris with the distance from the axis; 0 for a plane.
+    iris_radius_mm : f32, // 3..8 mm. Outer radius of the iris.
+    pupil_radius_mm : f32, // 0.5..4.5 mm. Radius of the pupil.
+    pupil_in_map : f32, // 0..0.9. Radius of the pupil in the map of the iris, over that of the iris.
+    virtual_cornea : f32, // 0..1. 1 for a mesh without a bulge: rays meet the cornea itself.
+    cornea_roughness_deg : f32, // 0.1..10 deg. Angle by which the cornea widens a reflection.
+    sclera_roughness_deg : f32, // 1..20 deg. Angle by which the sclera widens a reflection.
+    sclera_normal_strength : f32, // 0..2. Factor on the slopes of the normal map of the sclera.
+    meniscus_height_mm : f32, // 0..0.7 mm. Height of the tears on the margins of the lids.
+    iris_height_mm : f32, // 0..0.3 mm. Height of the relief of the iris at 1 in its map.
+};
+
+struct EyePlaceBlock
+{
+    eye_x : vec4<f32>, // -1e+30..1e+30. Row x of the matrix from the world to mm of the eye.
+    eye_y : vec4<f32>, // -1e+30..1e+30. Row y of the matrix from the world to mm of the eye.
+    eye_z : vec4<f32>, // -1e+30..1e+30. Row z of the matrix from the world to mm of the eye.
+    lid_upper : vec4<f32>, // -100..100. Plane n, D (mm) that the upper lid lies beyond.
+    lid_lower : vec4<f32>, // -100..100. Plane n, D (mm) that the lower lid lies beyond.
+    lamp_axes : vec4<f32>, // -1e+06..1e+06. Axes of the table of a lamp: low and 1/(high − low) of the columns, mm, then of the rows.
+    surroundings_axes : vec4<f32>, // -1e+06..1e+06. Axes of the table of the surroundings: low and 1/(high − low) of the columns, mm, then of the rows.
+    lid_radiance : vec4<f32>, // 0..1e+30. Radiance of the inner sides of the lids.
+    lid_radius_mm : f32, // 8..30 mm. Radius of the ball whose surface is the outer side of the lids.
+};

@@ -1,4 +1,4 @@
-@binding(4) @group(0) var<storage, read_write> echoed_0 : array<f32>;
+@binding(6) @group(0) var<storage, read_write> echoed_0 : array<f32>;
 
 struct SkinBlock_std140_0
 {
@@ -37,6 +37,45 @@ struct ScatterBlock_std140_0
 };
 
 @binding(1) @group(0) var<uniform> scatter_block_0 : ScatterBlock_std140_0;
+struct EyeBlock_std140_0
+{
+    @align(16) iris_uv_0 : vec4<f32>,
+    @align(16) sclera_radius_mm_0 : f32,
+    @align(4) limbus_radius_mm_0 : f32,
+    @align(8) limbus_width_mm_0 : f32,
+    @align(4) cornea_radius_mm_0 : f32,
+    @align(16) cornea_asphericity_0 : f32,
+    @align(4) refraction_index_0 : f32,
+    @align(8) tear_index_0 : f32,
+    @align(4) aqueous_index_0 : f32,
+    @align(16) iris_depth_mm_0 : f32,
+    @align(4) iris_slope_0 : f32,
+    @align(8) iris_radius_mm_0 : f32,
+    @align(4) pupil_radius_mm_0 : f32,
+    @align(16) pupil_in_map_0 : f32,
+    @align(4) virtual_cornea_0 : f32,
+    @align(8) cornea_roughness_deg_0 : f32,
+    @align(4) sclera_roughness_deg_0 : f32,
+    @align(16) sclera_normal_strength_0 : f32,
+    @align(4) meniscus_height_mm_0 : f32,
+    @align(8) iris_height_mm_0 : f32,
+};
+
+@binding(2) @group(0) var<uniform> eye_block_0 : EyeBlock_std140_0;
+struct EyePlaceBlock_std140_0
+{
+    @align(16) eye_x_0 : vec4<f32>,
+    @align(16) eye_y_0 : vec4<f32>,
+    @align(16) eye_z_0 : vec4<f32>,
+    @align(16) lid_upper_0 : vec4<f32>,
+    @align(16) lid_lower_0 : vec4<f32>,
+    @align(16) lamp_axes_0 : vec4<f32>,
+    @align(16) surroundings_axes_0 : vec4<f32>,
+    @align(16) lid_radiance_0 : vec4<f32>,
+    @align(16) lid_radius_mm_0 : f32,
+};
+
+@binding(3) @group(0) var<uniform> eye_place_block_0 : EyePlaceBlock_std140_0;
 struct FrameBlock_std140_0
 {
     @align(16) radiance_sh_0 : array<vec4<f32>, i32(9)>,
@@ -56,7 +95,7 @@ struct FrameBlock_std140_0
     @align(16) exposure_0 : f32,
 };
 
-@binding(2) @group(0) var<uniform> frame_block_0 : FrameBlock_std140_0;
+@binding(4) @group(0) var<uniform> frame_block_0 : FrameBlock_std140_0;
 struct LightBlock_std140_0
 {
     @align(16) view_x_0 : vec4<f32>,
@@ -75,7 +114,7 @@ struct LightBlock_std140_0
     @align(8) blur_texels_0 : f32,
 };
 
-@binding(3) @group(0) var<uniform> light_block_0 : LightBlock_std140_0;
+@binding(5) @group(0) var<uniform> light_block_0 : LightBlock_std140_0;
 @compute
 @workgroup_size(1, 1, 1)
 fn echo_SkinBlock()
@@ -160,6 +199,76 @@ fn echo_ScatterBlock()
     echoed_0[i32(52)] = scatter_block_0.normal_sigmas_mm_0.x;
     echoed_0[i32(53)] = scatter_block_0.normal_sigmas_mm_0.y;
     echoed_0[i32(54)] = scatter_block_0.coat_reflectance_0;
+    return;
+}
+
+@compute
+@workgroup_size(1, 1, 1)
+fn echo_EyeBlock()
+{
+    echoed_0[i32(0)] = eye_block_0.iris_uv_0.x;
+    echoed_0[i32(1)] = eye_block_0.iris_uv_0.y;
+    echoed_0[i32(2)] = eye_block_0.iris_uv_0.z;
+    echoed_0[i32(3)] = eye_block_0.iris_uv_0.w;
+    echoed_0[i32(4)] = eye_block_0.sclera_radius_mm_0;
+    echoed_0[i32(5)] = eye_block_0.limbus_radius_mm_0;
+    echoed_0[i32(6)] = eye_block_0.limbus_width_mm_0;
+    echoed_0[i32(7)] = eye_block_0.cornea_radius_mm_0;
+    echoed_0[i32(8)] = eye_block_0.cornea_asphericity_0;
+    echoed_0[i32(9)] = eye_block_0.refraction_index_0;
+    echoed_0[i32(10)] = eye_block_0.tear_index_0;
+    echoed_0[i32(11)] = eye_block_0.aqueous_index_0;
+    echoed_0[i32(12)] = eye_block_0.iris_depth_mm_0;
+    echoed_0[i32(13)] = eye_block_0.iris_slope_0;
+    echoed_0[i32(14)] = eye_block_0.iris_radius_mm_0;
+    echoed_0[i32(15)] = eye_block_0.pupil_radius_mm_0;
+    echoed_0[i32(16)] = eye_block_0.pupil_in_map_0;
+    echoed_0[i32(17)] = eye_block_0.virtual_cornea_0;
+    echoed_0[i32(18)] = eye_block_0.cornea_roughness_deg_0;
+    echoed_0[i32(19)] = eye_block_0.sclera_roughness_deg_0;
+    echoed_0[i32(20)] = eye_block_0.sclera_normal_strength_0;
+    echoed_0[i32(21)] = eye_block_0.meniscus_height_mm_0;
+    echoed_0[i32(22)] = eye_block_0.iris_height_mm_0;
+    return;
+}
+
+@compute
+@workgroup_size(1, 1, 1)
+fn echo_EyePlaceBlock()
+{
+    echoed_0[i32(0)] = eye_place_block_0.eye_x_0.x;
+    echoed_0[i32(1)] = eye_place_block_0.eye_x_0.y;
+    echoed_0[i32(2)] = eye_place_block_0.eye_x_0.z;
+    echoed_0[i32(3)] = eye_place_block_0.eye_x_0.w;
+    echoed_0[i32(4)] = eye_place_block_0.eye_y_0.x;
+    echoed_0[i32(5)] = eye_place_block_0.eye_y_0.y;
+    echoed_0[i32(6)] = eye_place_block_0.eye_y_0.z;
+    echoed_0[i32(7)] = eye_place_block_0.eye_y_0.w;
+    echoed_0[i32(8)] = eye_place_block_0.eye_z_0.x;
+    echoed_0[i32(9)] = eye_place_block_0.eye_z_0.y;
+    echoed_0[i32(10)] = eye_place_block_0.eye_z_0.z;
+    echoed_0[i32(11)] = eye_place_block_0.eye_z_0.w;
+    echoed_0[i32(12)] = eye_place_block_0.lid_upper_0.x;
+    echoed_0[i32(13)] = eye_place_block_0.lid_upper_0.y;
+    echoed_0[i32(14)] = eye_place_block_0.lid_upper_0.z;
+    echoed_0[i32(15)] = eye_place_block_0.lid_upper_0.w;
+    echoed_0[i32(16)] = eye_place_block_0.lid_lower_0.x;
+    echoed_0[i32(17)] = eye_place_block_0.lid_lower_0.y;
+    echoed_0[i32(18)] = eye_place_block_0.lid_lower_0.z;
+    echoed_0[i32(19)] = eye_place_block_0.lid_lower_0.w;
+    echoed_0[i32(20)] = eye_place_block_0.lamp_axes_0.x;
+    echoed_0[i32(21)] = eye_place_block_0.lamp_axes_0.y;
+    echoed_0[i32(22)] = eye_place_block_0.lamp_axes_0.z;
+    echoed_0[i32(23)] = eye_place_block_0.lamp_axes_0.w;
+    echoed_0[i32(24)] = eye_place_block_0.surroundings_axes_0.x;
+    echoed_0[i32(25)] = eye_place_block_0.surroundings_axes_0.y;
+    echoed_0[i32(26)] = eye_place_block_0.surroundings_axes_0.z;
+    echoed_0[i32(27)] = eye_place_block_0.surroundings_axes_0.w;
+    echoed_0[i32(28)] = eye_place_block_0.lid_radiance_0.x;
+    echoed_0[i32(29)] = eye_place_block_0.lid_radiance_0.y;
+    echoed_0[i32(30)] = eye_place_block_0.lid_radiance_0.z;
+    echoed_0[i32(31)] = eye_place_block_0.lid_radiance_0.w;
+    echoed_0[i32(32)] = eye_place_block_0.lid_radius_mm_0;
     return;
 }
 
