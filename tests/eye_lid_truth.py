@@ -1,4 +1,4 @@
-"""Monte Carlo of the light that reaches an eye between lids of a ball, which shares no code with the model."""
+"""Monte Carlo of the light that reaches an eye between lids of a ball, without code of the model."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ class TrueEye:
             return p[:, 2] - (self.apex - self.depth - self.slope * np.hypot(p[:, 0], p[:, 1]))
 
         meets = above(high) < 0
-        for _ in range(50):
+        for _ in range(44):
             middle = 0.5 * (low + high)
             over = above(middle) > 0
             low, high = np.where(over, middle, low), np.where(over, high, middle)
@@ -171,7 +171,7 @@ def reflectance(cosine, before, after):
 def met(point, ray, apex, radius, asphericity):
     """Return the points (n, 3) of a conic on rays from above it, by Newton's method."""
     t = np.zeros(len(point))
-    for _ in range(30):
+    for _ in range(8):
         p = point + t[:, None] * ray
         depth = apex - p[:, 2]
         value = p[:, 0] ** 2 + p[:, 1] ** 2 - 2 * radius * depth + (1 + asphericity) * depth**2

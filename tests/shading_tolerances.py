@@ -310,3 +310,43 @@ LEAST_SQUARES = Tolerance(
     1e-6,
     "residual against that of SciPy's nnls; columns that are parallel within 1e-6 count as one",
 )
+
+# -- eyes ------------------------------------------------------------------------------------------
+
+EYE_SURFACE = Tolerance(1e-8, "mm and 1; a spline whose end slopes are differences, 3e-10 measured")
+EYE_SLOPE_JUMP = Tolerance(1e-6, "both sides of an edge, 1e-9 mm apart")
+EYE_SLOPE = Tolerance(1e-6, "central differences of 1e-5 mm")
+EYE_ON_SURFACE = Tolerance(1e-9, "mm; points of a cone or conic, from a quadratic in float64")
+EYE_REFRACTION = Tolerance(0.02, "mm RMS at each angle to 80°; .019 measured at 80°")
+EYE_REFRACTION_ALL = Tolerance(0.0112, "mm RMS over six angles; .0109 measured")
+EYE_OTHER_CORNEAS = Tolerance(
+    0.0025, "index that fits best, around 1.3405; 1.339 to 1.341 measured"
+)
+EYE_PUPIL = Tolerance(0.01, "magnification 1.13 of the entrance pupil")
+EYE_TABLE_ORACLE = Tolerance(0.02, "RMS irradiance, 0 to 60°; .006 to .013 measured")
+EYE_TABLE_ENTRY = Tolerance(0.05, "mm RMS; .026 to .033 measured")
+EYE_TABLE_PHOTONS = {
+    angle: Tolerance(value, f"RMS irradiance with noise of the photons; {measured} measured")
+    for angle, value, measured in (
+        (0.0, 0.035, 0.029),
+        (28.0, 0.030, 0.024),
+        (57.0, 0.022, 0.017),
+        (76.0, 0.020, 0.015),
+        (88.0, 0.050, 0.041),
+        (98.0, 0.042, 0.033),
+    )
+}
+EYE_TABLE_FLUX = Tolerance(0.01, "flux on the iris; the photons' noise is .002; relative")
+EYE_FLUX_BALANCE = Tolerance(1e-9, "sums of all photons; relative")
+EYE_FLUX_SHARE = Tolerance(0.006, "shares that are stated in whole per cent")
+EYE_EVEN_SKY = Tolerance(0.02, "irradiance under an even sky, with photons' noise of .012")
+EYE_BAND_1 = Tolerance(0.03, "part that rises with the cosine, with photons' noise of .015")
+EYE_BAND_2 = Tolerance(0.03, "light of band 2 that the factor leaves out, at the rim")
+EYE_LIDS_OPEN = Tolerance(0.022, "RMS share of an even sky, with noise of .02; .019 measured")
+EYE_LIDS_LAMP = Tolerance(0.015, "RMS share of a lamp of 3°; .012 measured")
+EYE_LIDS_IRIS = Tolerance(0.040, "RMS share of an even sky; .024 measured at the usual opening")
+EYE_LIDS_IRIS_ALL = Tolerance(
+    0.045, "as EYE_LIDS_IRIS, from wide open to half closed; .038 measured"
+)
+HIGHLIGHT_ENERGY = Tolerance(0.01, "integral over directions; small angles; relative")
+FRESNEL_EXACT = Tolerance(1e-12, "Fresnel's amplitudes from angles")

@@ -250,7 +250,6 @@ VALUES = {
     "cornea": eye_pack(EYE.cornea, (0.1, 0.3, 0.1, 0.03)),
     "cornea_asphericity": uniform(-0.8, 0.3, 0.0),
     "cornea_radius_mm": uniform(6.5, 10.0),
-    "cosine": uniform(-0.2, 1.0, 0.0),
     "height_mm": uniform(0.0, 0.3),
     "hit_mm": on_iris,
     "index": uniform(1.1, 1.6),

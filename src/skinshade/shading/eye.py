@@ -75,7 +75,7 @@ def eye_height(r_mm: FloatArray, cornea: FloatArray, limbus: FloatArray) -> Floa
     >>> from skinshade.shading.eye import eye_height
     >>> eye = sk.EyeParams()
     >>> eye_height(np.array([0.0, 5.9, 12.0]), eye.cornea, eye.limbus).round(2)
-    array([12.99, 10.49,  0.  ])
+    array([12.99, 10.51,  0.  ])
     """
     return _profile(r_mm, cornea, limbus)[0]
 
@@ -163,7 +163,7 @@ def eye_iris_hit(
     >>> normal = eye_normal(edge, eye.cornea, eye.limbus)
     >>> hit = eye_iris_hit(edge, normal, np.array([0.0, 0.0, 1.0]), eye.cornea, eye.iris)
     >>> hit.round(2)  # a pupil of 2 mm looks 13 % larger
-    array([2.  , 0.  , 9.28])
+    array([2.01, 0.  , 9.28])
     """
     eta = 1.0 / cornea[..., 3]
     c = np.maximum(dot(normal, view), 0.0)

@@ -14,12 +14,19 @@ from .eye import eye_height, smoothstep
 
 __all__ = ["lid_iris_openness", "lid_openness", "lid_visibility", "tear_normal"]
 
-LID_ENTRY_SHARE = 0.6
-"""Distance from the axis at which most light enters, over that of the point of the iris that it reaches."""
-LID_CLEARANCE_MM = 0.86
-"""Thickness of a lid as the iris receives its shadow, mm."""
-LID_DISTANCE_MM = 2.27
-"""Distance along which a lid's margin shadows the entry of the iris' light, mm; fitted with the other two."""
+LID_ENTRY_SHARE, LID_ENTRY_RISE = 0.83, 0.41
+"""Distance from the axis at which an even sky's light enters, over that of the point of the iris that it
+reaches: in the middle, and its increase with the fourth power of the distance over that of the limbus. These
+numbers and the three below are fitted to paths through the cornea, between lids that are wide open to half
+closed."""
+LID_CLEARANCE_MM = 0.58
+"""Distance of the point of half the light in front of the plane of a lid, mm."""
+LID_DISTANCE_MM = 2.59
+"""Width of the shadow of a lid on the iris, mm."""
+LID_NARROWING = 1.12
+"""Decrease of both lengths with the same fourth power: light of the rim enters near the rim."""
+LEAST_NARROWED = 0.05
+"""Least remainder of both lengths."""
 LEAST_MARGIN = 1e-4
 """Least width of a ramp: a step."""
 
@@ -107,14 +114,18 @@ def lid_iris_openness(
     upper, lower
         (..., 4) planes of the lids.
     """
-    entry = LID_ENTRY_SHARE * hit_mm[..., :2]
+    squared = dot(hit_mm[..., :2], hit_mm[..., :2]) / limbus[..., 0] ** 2
+    rim = squared * squared
+    entry = (LID_ENTRY_SHARE + LID_ENTRY_RISE * rim)[..., None] * hit_mm[..., :2]
+    narrowed = np.maximum(1.0 - LID_NARROWING * rim, LEAST_NARROWED)
+    width = LID_DISTANCE_MM * narrowed
     r = np.sqrt(dot(entry, entry))
     height = eye_height(r, cornea, limbus)
     position = np.concatenate([entry, height[..., None]], axis=-1)
     share = np.ones_like(r)
     for lid in (upper, lower):
-        a = lid[..., 3] - dot(lid[..., :3], position) - LID_CLEARANCE_MM
-        share = share - 0.5 * (1.0 - a / np.sqrt(a * a + LID_DISTANCE_MM * LID_DISTANCE_MM))
+        a = lid[..., 3] - dot(lid[..., :3], position) - LID_CLEARANCE_MM * narrowed
+        share = share - 0.5 * (1.0 - a / np.sqrt(a * a + width * width))
     result: FloatArray = np.clip(share, 0.0, 1.0)
     return result
 
@@ -146,7 +157,8 @@ def _hidden(
 ) -> FloatArray:
     """Return the share (...) of an even sky's irradiance that one lid hides.
 
-    The margin is the point where plane and ball meet above the position, in the plane of both normals.
+    The margin is the point where plane and ball meet above the position, in the plane of both normals. If
+    they do not meet, the lid hides nothing.
     """
     n = lid[..., :3]
     toward = dot(n, normal)
@@ -157,8 +169,9 @@ def _hidden(
     foot = position_mm + bare[..., None] * n
     along = dot(foot, rise)
     outside = dot(foot, foot) - radius_mm * radius_mm
-    length = np.sqrt(np.maximum(along * along - outside, 0.0)) - along
+    radicand = along * along - outside
+    length = np.sqrt(np.maximum(radicand, 0.0)) - along
     above, beside = bare * toward + length * tangent, bare * tangent - length * toward
     cosine = beside / np.maximum(np.sqrt(above * above + beside * beside), LEAST_MARGIN)
-    result: FloatArray = np.where(above > 0.0, 0.5 * (1.0 - cosine), 0.0)
+    result: FloatArray = np.where((above > 0.0) & (radicand > 0.0), 0.5 * (1.0 - cosine), 0.0)
     return result

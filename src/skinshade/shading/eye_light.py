@@ -23,6 +23,9 @@ EYE_LEAST_COSINE = -0.3420201433256687
 """Cosine of 110°, the greatest angle between light and gaze at which light reaches the iris."""
 EYE_WARP = 0.7
 """Power of the cosine that spaces the angles, so that those near 90° are close to each other."""
+EYE_LAST_SINE = 0.5055021429481007
+"""Sine of the angle of the slice next to straight light. The entry moves with the sine of a small angle, and
+with the warped cosine it would move with its square."""
 LEAST_LUMINANCE, GREATEST_LUMINANCE = 1e-6, 1e8
 """Luminance at which the pupil has long been widest and narrowest, cd/m²."""
 
@@ -58,7 +61,10 @@ def eye_light(lut: Lut, hit_mm: FloatArray, light: FloatArray) -> FloatArray:
     u = lut.columns.coordinate(x)
     first = lut.sample_at(u, lut.rows.coordinate(row))
     second = lut.sample_at(u, lut.rows.coordinate(row + EYE_ROWS))
-    value = first + (second - first) * (index - low)[..., None]
+    weight = index - low
+    straight = 1.0 - np.minimum(across / EYE_LAST_SINE, 1.0)
+    moved = np.where(low > EYE_SLICES - 2.5, straight, weight)
+    value = first + (second - first) * np.stack([weight, moved, moved], axis=-1)
     entry_x, entry_y = value[..., 1], np.where(y < 0.0, -value[..., 2], value[..., 2])
     return np.stack(
         [
@@ -122,7 +128,7 @@ def dielectric_fresnel(cosine: FloatArray, index: FloatArray) -> FloatArray:
     >>> import numpy as np
     >>> from skinshade.shading.eye_light import dielectric_fresnel
     >>> dielectric_fresnel(np.array([1.0, 0.5, 0.0]), np.array(1.337)).round(4)
-    array([0.0208, 0.0611, 1.    ])
+    array([0.0208, 0.0604, 1.    ])
     """
     c = np.clip(cosine, 0.0, 1.0)
     inside = np.sqrt(np.maximum(index * index - 1.0 + c * c, 0.0))

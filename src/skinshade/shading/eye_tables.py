@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,19 +15,18 @@ from .._core.errors import ArgumentError
 from .._core.harmonics import harmonics
 from .._core.version import __version__
 from ..lut import Axis, Lut
-from ..params import EyeParams
+from ..params import EyeParams, EyePlaceParams
 from .ambient import COSINE_BANDS
-from .eye import eye_height, eye_limbal_opacity, eye_normal
 from .eye_light import (
     EYE_COLUMNS,
     EYE_LEAST_COSINE,
     EYE_ROWS,
     EYE_SLICES,
     EYE_WARP,
-    dielectric_fresnel,
 )
+from .eye_rays import PARTS, quasirandom_parts, through_cornea
 
-__all__ = ["EYE_LUTS", "TABLES_HOLD", "EyeLuts", "build_eye_lut"]
+__all__ = ["EYE_LUTS", "TABLES_HOLD", "EyeLuts", "build_eye_lut", "eye_place"]
 
 EYE_LUTS = ("lamp", "surroundings")
 """Names of the tables. In shaders and files, a table is ``eye_<name>_lut``."""
@@ -44,15 +43,8 @@ TABLES_HOLD = (
     "iris_radius_mm",
 )
 """Parameters that the tables depend on. The tables end on the cone of the iris, so the pupil is not one."""
-CORNEA_INDEX = 1.376
-"""Index between the two surfaces of the cornea [LiouBrennan1997]."""
-BACK_RADIUS_RATIO, BACK_ASPHERICITY, THICKNESS_MM = 6.4 / 7.8, -0.60, 0.50
-"""Back surface of the cornea [LiouBrennan1997]: its radius over that of the front, asphericity, and
-distance from the front."""
 LAMP_ANGLE = np.radians(3.0)
 """Half angle of the lamp of the table; the bright folds of a point's light would be finer than the table."""
-PARTS = 16
-"""Parts in which rays are traced, so that each fits the processor's cache."""
 LAMP_RAYS, ENTRY_GRID = 48, 72
 """Directions of a part, and side of the grid of entries of each of them, for the table of a lamp."""
 SKY_RAYS = 1 << 16
@@ -79,8 +71,8 @@ class EyeLuts:
     >>> import skinshade as sk
     >>> luts = sk.build_eye_lut()
     >>> luts.save("eye")
-    >>> sk.EyeLuts.load("eye").lamp
-    Lut('eye-lamp', 32×256, values -5.87 to 6.38)
+    >>> sk.EyeLuts.load("eye").lamp.values.shape
+    (256, 32, 3)
     """
 
     lamp: Lut
@@ -91,6 +83,10 @@ class EyeLuts:
             lut: Lut = getattr(self, name)
             if lut.kind != f"eye-{name}":
                 raise ArgumentError(f"{name}: kind is {lut.kind!r}; it must be 'eye-{name}'")
+
+    def by_name(self) -> dict[str, Lut]:
+        """Return the tables by the names of `EYE_LUTS`."""
+        return {"lamp": self.lamp, "surroundings": self.surroundings}
 
     def check(self, params: EyeParams) -> None:
         """Check that the tables fit the parameters `params` of an eye.
@@ -140,6 +136,23 @@ class EyeLuts:
         return cls(*(Lut.load(Path(folder) / f"eye_{name}_lut{suffix}") for name in EYE_LUTS))
 
 
+def eye_place(luts: Mapping[str, Lut], placement: EyePlaceParams | None = None) -> EyePlaceParams:
+    """Return the placement of an eye with the axes of its tables.
+
+    Parameters
+    ----------
+    luts
+        Tables by name, of `EyeLuts.by_name`.
+    placement
+        Placement of the eye; in the origin, with the lids' default opening, if None.
+    """
+    return replace(
+        EyePlaceParams() if placement is None else placement,
+        lamp_axes=luts["lamp"].axes,
+        surroundings_axes=luts["surroundings"].axes,
+    )
+
+
 def build_eye_lut(params: EyeParams | None = None) -> EyeLuts:
     """Return the tables of the light on the iris of an eye, for lamps and for surroundings.
 
@@ -161,7 +174,7 @@ def build_eye_lut(params: EyeParams | None = None) -> EyeLuts:
     >>> from skinshade.shading.eye_light import eye_light
     >>> luts = sk.build_eye_lut()
     >>> middle, ahead = np.array([0.0, 0.0, 9.4]), np.array([0.0, 0.0, 1.0])
-    >>> eye_light(luts.lamp, middle, ahead)[0].round(1)  # the cornea collects light
+    >>> float(eye_light(luts.lamp, middle, ahead)[0].round(1))  # the cornea collects light
     1.2
     """
     chosen = EyeParams() if params is None else params
@@ -198,101 +211,6 @@ def build_eye_lut(params: EyeParams | None = None) -> EyeLuts:
     )
 
 
-# -- rays ------------------------------------------------------------------------------------------
-
-
-def _sequence(count: int, dimensions: int) -> Iterator[FloatArray]:
-    """Yield parts (1 + dimensions, n) of a quasirandom sequence of the unit cube [Roberts2018].
-
-    The first coordinate rises evenly from 0 to 1, from part to part.
-    """
-    root = 2.0
-    for _ in range(64):
-        root = (1.0 + root) ** (1.0 / (dimensions + 1.0))
-    steps = root ** -np.arange(1.0, dimensions + 1.0)
-    for part in range(PARTS):
-        index = np.arange(part * count, (part + 1) * count) + 0.5
-        yield np.stack([index / (PARTS * count), *((0.5 + steps[:, None] * index) % 1.0)])
-
-
-def _refracted(
-    direction: FloatArray, normal: FloatArray, ratio: float
-) -> tuple[FloatArray, FloatArray]:
-    """Return the directions (n, 3) of refracted rays, and whether there are any (n,)."""
-    c = -dot(direction, normal)
-    radicand = 1.0 - ratio * ratio * (1.0 - c * c)
-    bend = ratio * c - np.sqrt(np.maximum(radicand, 0.0))
-    return ratio * direction + bend[:, None] * normal, radicand > 0.0
-
-
-def _through_cornea(
-    params: EyeParams, x: FloatArray, y: FloatArray, light: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return where light that enters at x, y (n,) meets the cone of the iris, x, y (n,), and its flux (n,).
-
-    The flux is that per unit of area of the plane of x and y, and of the beam.
-    """
-    r = np.hypot(x, y)
-    entry = np.stack([x, y, eye_height(r, params.cornea, params.limbus)], axis=-1)
-    normal = eye_normal(entry, params.cornea, params.limbus)
-    facing = dot(normal, light)
-    tears = np.array(params.tear_index)
-    flux = facing / normal[:, 2] * (1.0 - dielectric_fresnel(facing, tears))
-    flux *= 1.0 - eye_limbal_opacity(r, params.limbus)
-    # The sclera hides light from behind.
-    behind = dot(entry, light)
-    reach2 = dot(entry, entry) - behind * behind
-    lit = (facing > 0.0) & ~((behind < 0.0) & (reach2 < params.sclera_radius_mm**2))
-    ray, passes = _refracted(-light, normal, 1.0 / CORNEA_INDEX)
-    lit &= passes
-    back, back_normal = _back_surface(params, entry, ray)
-    before = np.clip(-dot(ray, back_normal), 0.0, 1.0)
-    ray, passes = _refracted(ray, back_normal, CORNEA_INDEX / params.aqueous_index)
-    lit &= passes
-    # The reflection at the back is reversible: that of the cosine behind, from the thinner side.
-    after = np.clip(-dot(ray, back_normal), 0.0, 1.0)
-    flux *= 1.0 - _interface(before, after, CORNEA_INDEX / params.aqueous_index)
-    hit = _cone(params, back, ray)
-    return hit[:, 0], hit[:, 1], np.where(lit, flux, 0.0)
-
-
-def _interface(before: FloatArray, after: FloatArray, ratio: float) -> FloatArray:
-    """Return the reflectance of unpolarised light from the cosines (n,) on both sides of a surface."""
-    s = (ratio * before - after) / np.maximum(ratio * before + after, 1e-9)
-    p = (before - ratio * after) / np.maximum(before + ratio * after, 1e-9)
-    result: FloatArray = 0.5 * (s * s + p * p)
-    return result
-
-
-def _back_surface(
-    params: EyeParams, entry: FloatArray, ray: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """Return points and unit normals (n, 3) of the cornea's back surface on rays."""
-    radius, q = params.cornea_radius_mm * BACK_RADIUS_RATIO, 1.0 + BACK_ASPHERICITY
-    s = params.apex_mm - THICKNESS_MM - entry[:, 2]
-    dz = ray[:, 2]
-    a = 1.0 - (1.0 - q) * dz * dz
-    b = dot(entry[:, :2], ray[:, :2]) + dz * (radius - q * s)
-    c = dot(entry[:, :2], entry[:, :2]) - 2.0 * radius * s + q * s * s
-    root = np.sqrt(np.maximum(b * b - a * c, 0.0))
-    point = entry + (c / np.maximum(root - b, 1e-9))[:, None] * ray
-    depth = params.apex_mm - THICKNESS_MM - point[:, 2]
-    normal = np.stack([point[:, 0], point[:, 1], radius - q * depth], axis=-1)
-    return point, normal / np.sqrt(dot(normal, normal))[:, None]
-
-
-def _cone(params: EyeParams, point: FloatArray, ray: FloatArray) -> FloatArray:
-    """Return the points (n, 3) of the cone of the iris on rays, far outside where there are none."""
-    tip, slope = params.iris[0], params.iris[1]
-    h, m2 = tip - point[:, 2], slope * slope
-    a = ray[:, 2] ** 2 - m2 * dot(ray[:, :2], ray[:, :2])
-    b = h * ray[:, 2] + m2 * dot(point[:, :2], ray[:, :2])
-    e = h * h - m2 * dot(point[:, :2], point[:, :2])
-    root = np.sqrt(np.maximum(b * b - a * e, 0.0))
-    distance = e / np.maximum(b + root, 1e-9) if slope < 0.0 else (b + root) / np.maximum(a, 1e-4)
-    return point + distance[:, None] * ray
-
-
 # -- tables ----------------------------------------------------------------------------------------
 
 
@@ -324,7 +242,7 @@ def _lamp_values(params: EyeParams) -> FloatArray:
     sums = np.zeros((3, slices * rows * columns))
     side = (np.arange(ENTRY_GRID) + 0.5) / ENTRY_GRID
     grid_x, grid_y = (grid.reshape(1, -1) for grid in np.meshgrid(side, side))
-    for u in _sequence(LAMP_RAYS, 4):
+    for u in quasirandom_parts(LAMP_RAYS, 4):
         warped = least + (1.0 - least) * u[0]
         cosine = np.sign(warped) * np.abs(warped) ** (1.0 / EYE_WARP)
         light = _lamp_directions(cosine, u[1], u[2])
@@ -334,7 +252,7 @@ def _lamp_values(params: EyeParams) -> FloatArray:
         light, level = np.repeat(light, grid_x.size, axis=0), np.repeat(u[0], grid_x.size)
         inside = x * x + y * y < outer * outer
         x, y, light, level = x[inside], y[inside], light[inside], level[inside]
-        hit_x, hit_y, flux = _through_cornea(params, x, y, light)
+        hit_x, hit_y, flux = through_cornea(params, x, y, light)
         used = (flux > 0.0) & (np.abs(hit_x) < rim) & (np.abs(hit_y) < rim)
         hit_x, hit_y, flux = hit_x[used], hit_y[used], flux[used]
         moved = (flux, flux * x[used], flux * y[used] * np.sign(hit_y))
@@ -352,9 +270,13 @@ def _lamp_values(params: EyeParams) -> FloatArray:
     for axis, mass in enumerate(
         (_mass(slices, 0.0, 1.0), _mass(rows, 0.0, rim), _mass(columns, -rim, rim))
     ):
-        solved = np.linalg.solve(mass, np.moveaxis(energy, axis, 0).reshape(len(mass), -1))
-        shape = np.moveaxis(energy, axis, 0).shape
-        energy = np.moveaxis(solved.reshape(shape), 0, axis)
+        load = np.moveaxis(energy, axis, 0)
+        first = 1 if axis == 0 else 0  # no light at the greatest angle
+        solved = np.zeros((len(mass), load[0].size))
+        solved[first:] = np.linalg.solve(
+            mass[first:, first:], load[first:].reshape(-1, load[0].size)
+        )
+        energy = np.moveaxis(solved.reshape(load.shape), 0, axis)
     entry = _filled(loads[1:], loads[0])
     entry[1, :, 0, :] = 0.0
     # Straight light has no side: the slice is equal on both.
@@ -389,12 +311,12 @@ def _surroundings_values(params: EyeParams) -> FloatArray:
     """Return the values (2, radii, 3) of the table of surroundings: factors of the bands, and the tilt."""
     outer, rim = params.limbus_radius_mm + params.limbus_width_mm, params.iris_radius_mm
     sums = np.zeros((9, RADII))
-    for u in _sequence(SKY_RAYS, 2):
+    for u in quasirandom_parts(SKY_RAYS, 2):
         z = EYE_LEAST_COSINE + (1.0 - EYE_LEAST_COSINE) * u[0]
         sine, phi = np.sqrt(1.0 - z * z), 2.0 * np.pi * u[1]
         light = np.stack([sine * np.cos(phi), sine * np.sin(phi), z], axis=-1)
         x = outer * u[2]
-        hit_x, hit_y, flux = _through_cornea(params, x, np.zeros_like(x), light)
+        hit_x, hit_y, flux = through_cornea(params, x, np.zeros_like(x), light)
         r = np.hypot(hit_x, hit_y)
         used = (flux > 0.0) & (r < rim)
         hit_x, hit_y, r, light = hit_x[used], hit_y[used], r[used], light[used]

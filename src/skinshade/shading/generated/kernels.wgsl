@@ -1844,7 +1844,19 @@ fn skin_eye_light_0( lut_7 : texture_2d<f32>,  lut_sampler_7 : sampler,  lut_axe
     var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes_6.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S163;
     var _S164 : vec2<f32> = lut_axes_6.xz;
     var _S165 : vec2<f32> = lut_axes_6.yw;
-    var value_1 : vec3<f32> = mix((textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(x_8, row_2) - _S164) * _S165)), (0.0f))).xyz, (textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S164) * _S165)), (0.0f))).xyz, vec3<f32>((index_0 - _S163)));
+    var first_0 : vec3<f32> = (textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(x_8, row_2) - _S164) * _S165)), (0.0f))).xyz;
+    var second_0 : vec3<f32> = (textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S164) * _S165)), (0.0f))).xyz;
+    var straight_0 : f32 = 1.0f - min(across_0 / 0.50550216436386108f, 1.0f);
+    var moved_0 : f32;
+    if(_S163 > 13.5f)
+    {
+        moved_0 = straight_0;
+    }
+    else
+    {
+        moved_0 = index_0 - _S163;
+    }
+    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S163, moved_0, moved_0));
     var entry_y_0 : f32;
     if(y_2 < 0.0f)
     {
@@ -2001,20 +2013,30 @@ fn skin_lid_hidden_0( position_mm_8 : vec3<f32>,  normal_12 : vec3<f32>,  lid_1 
     var bare_0 : f32 = lid_1.w - dot(_S185, position_mm_8);
     var foot_0 : vec3<f32> = position_mm_8 + vec3<f32>(bare_0) * _S185;
     var along_1 : f32 = dot(foot_0, _S187 * normal_12 - _S186 * ((_S185 - _S186 * normal_12) / _S187));
-    var length_0 : f32 = sqrt(max(along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm_4 * radius_mm_4), 0.0f)) - along_1;
+    var radicand_1 : f32 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm_4 * radius_mm_4);
+    var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_1;
     var above_0 : f32 = bare_0 * toward_0 + length_0 * tangent_0;
     var beside_0 : f32 = bare_0 * tangent_0 - length_0 * toward_0;
     var cosine_5 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    var _S188 : f32;
+    var _S188 : bool;
     if(above_0 > 0.0f)
     {
-        _S188 = 0.5f * (1.0f - cosine_5);
+        _S188 = radicand_1 > 0.0f;
     }
     else
     {
-        _S188 = 0.0f;
+        _S188 = false;
     }
-    return _S188;
+    var _S189 : f32;
+    if(_S188)
+    {
+        _S189 = 0.5f * (1.0f - cosine_5);
+    }
+    else
+    {
+        _S189 = 0.0f;
+    }
+    return _S189;
 }
 
 fn skin_lid_openness_0( position_mm_9 : vec3<f32>,  normal_13 : vec3<f32>,  upper_1 : vec4<f32>,  lower_1 : vec4<f32>,  radius_mm_5 : f32) -> f32
@@ -2026,53 +2048,59 @@ fn skin_lid_openness_0( position_mm_9 : vec3<f32>,  normal_13 : vec3<f32>,  uppe
 @workgroup_size(64, 1, 1)
 fn run_lid_openness(@builtin(global_invocation_id) thread_68 : vec3<u32>)
 {
-    var _S189 : u32 = thread_68.x;
-    var start_64 : u32 = _S189 * u32(15);
-    outputs_0[_S189] = skin_lid_openness_0(vec3<f32>(inputs_0[start_64], inputs_0[start_64 + u32(1)], inputs_0[start_64 + u32(2)]), vec3<f32>(inputs_0[start_64 + u32(3)], inputs_0[start_64 + u32(4)], inputs_0[start_64 + u32(5)]), vec4<f32>(inputs_0[start_64 + u32(6)], inputs_0[start_64 + u32(7)], inputs_0[start_64 + u32(8)], inputs_0[start_64 + u32(9)]), vec4<f32>(inputs_0[start_64 + u32(10)], inputs_0[start_64 + u32(11)], inputs_0[start_64 + u32(12)], inputs_0[start_64 + u32(13)]), inputs_0[start_64 + u32(14)]);
+    var _S190 : u32 = thread_68.x;
+    var start_64 : u32 = _S190 * u32(15);
+    outputs_0[_S190] = skin_lid_openness_0(vec3<f32>(inputs_0[start_64], inputs_0[start_64 + u32(1)], inputs_0[start_64 + u32(2)]), vec3<f32>(inputs_0[start_64 + u32(3)], inputs_0[start_64 + u32(4)], inputs_0[start_64 + u32(5)]), vec4<f32>(inputs_0[start_64 + u32(6)], inputs_0[start_64 + u32(7)], inputs_0[start_64 + u32(8)], inputs_0[start_64 + u32(9)]), vec4<f32>(inputs_0[start_64 + u32(10)], inputs_0[start_64 + u32(11)], inputs_0[start_64 + u32(12)], inputs_0[start_64 + u32(13)]), inputs_0[start_64 + u32(14)]);
     return;
 }
 
-fn skin_lid_iris_hidden_0( position_mm_10 : vec3<f32>,  lid_2 : vec4<f32>) -> f32
+fn skin_lid_iris_hidden_0( position_mm_10 : vec3<f32>,  narrowed_0 : f32,  lid_2 : vec4<f32>) -> f32
 {
-    var a_2 : f32 = lid_2.w - dot(lid_2.xyz, position_mm_10) - 0.86000001430511475f;
-    return 0.5f * (1.0f - a_2 / sqrt(a_2 * a_2 + 5.15289974212646484f));
+    var a_2 : f32 = lid_2.w - dot(lid_2.xyz, position_mm_10) - 0.57999998331069946f * narrowed_0;
+    var width_1 : f32 = 2.58999991416931152f * narrowed_0;
+    return 0.5f * (1.0f - a_2 / sqrt(a_2 * a_2 + width_1 * width_1));
 }
 
 fn skin_lid_iris_openness_0( hit_mm_3 : vec3<f32>,  cornea_6 : vec4<f32>,  limbus_5 : vec4<f32>,  upper_2 : vec4<f32>,  lower_2 : vec4<f32>) -> f32
 {
-    var entry_0 : vec2<f32> = vec2<f32>(0.60000002384185791f) * hit_mm_3.xy;
+    var _S191 : vec2<f32> = hit_mm_3.xy;
+    var _S192 : f32 = limbus_5.x;
+    var squared_0 : f32 = dot(_S191, _S191) / (_S192 * _S192);
+    var rim_0 : f32 = squared_0 * squared_0;
+    var entry_0 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S191;
+    var _S193 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
     var position_1 : vec3<f32> = vec3<f32>(entry_0, skin_eye_height_0(sqrt(dot(entry_0, entry_0)), cornea_6, limbus_5));
-    return saturate(1.0f - skin_lid_iris_hidden_0(position_1, upper_2) - skin_lid_iris_hidden_0(position_1, lower_2));
+    return saturate(1.0f - skin_lid_iris_hidden_0(position_1, _S193, upper_2) - skin_lid_iris_hidden_0(position_1, _S193, lower_2));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_lid_iris_openness(@builtin(global_invocation_id) thread_69 : vec3<u32>)
 {
-    var _S190 : u32 = thread_69.x;
-    var start_65 : u32 = _S190 * u32(19);
-    outputs_0[_S190] = skin_lid_iris_openness_0(vec3<f32>(inputs_0[start_65], inputs_0[start_65 + u32(1)], inputs_0[start_65 + u32(2)]), vec4<f32>(inputs_0[start_65 + u32(3)], inputs_0[start_65 + u32(4)], inputs_0[start_65 + u32(5)], inputs_0[start_65 + u32(6)]), vec4<f32>(inputs_0[start_65 + u32(7)], inputs_0[start_65 + u32(8)], inputs_0[start_65 + u32(9)], inputs_0[start_65 + u32(10)]), vec4<f32>(inputs_0[start_65 + u32(11)], inputs_0[start_65 + u32(12)], inputs_0[start_65 + u32(13)], inputs_0[start_65 + u32(14)]), vec4<f32>(inputs_0[start_65 + u32(15)], inputs_0[start_65 + u32(16)], inputs_0[start_65 + u32(17)], inputs_0[start_65 + u32(18)]));
+    var _S194 : u32 = thread_69.x;
+    var start_65 : u32 = _S194 * u32(19);
+    outputs_0[_S194] = skin_lid_iris_openness_0(vec3<f32>(inputs_0[start_65], inputs_0[start_65 + u32(1)], inputs_0[start_65 + u32(2)]), vec4<f32>(inputs_0[start_65 + u32(3)], inputs_0[start_65 + u32(4)], inputs_0[start_65 + u32(5)], inputs_0[start_65 + u32(6)]), vec4<f32>(inputs_0[start_65 + u32(7)], inputs_0[start_65 + u32(8)], inputs_0[start_65 + u32(9)], inputs_0[start_65 + u32(10)]), vec4<f32>(inputs_0[start_65 + u32(11)], inputs_0[start_65 + u32(12)], inputs_0[start_65 + u32(13)], inputs_0[start_65 + u32(14)]), vec4<f32>(inputs_0[start_65 + u32(15)], inputs_0[start_65 + u32(16)], inputs_0[start_65 + u32(17)], inputs_0[start_65 + u32(18)]));
     return;
 }
 
 fn skin_tear_normal_0( position_mm_11 : vec3<f32>,  normal_14 : vec3<f32>,  lid_3 : vec4<f32>,  height_mm_1 : f32) -> vec3<f32>
 {
-    var _S191 : vec3<f32> = lid_3.xyz;
-    var sine_2 : f32 = saturate(1.0f - (lid_3.w - dot(_S191, position_mm_11)) / max(height_mm_1, 0.00009999999747379f));
-    return skin_unit_vectors_0(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal_14 - vec3<f32>(sine_2) * skin_unit_vectors_0(_S191 - vec3<f32>(dot(_S191, normal_14)) * normal_14));
+    var _S195 : vec3<f32> = lid_3.xyz;
+    var sine_2 : f32 = saturate(1.0f - (lid_3.w - dot(_S195, position_mm_11)) / max(height_mm_1, 0.00009999999747379f));
+    return skin_unit_vectors_0(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal_14 - vec3<f32>(sine_2) * skin_unit_vectors_0(_S195 - vec3<f32>(dot(_S195, normal_14)) * normal_14));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn run_tear_normal(@builtin(global_invocation_id) thread_70 : vec3<u32>)
 {
-    var _S192 : u32 = thread_70.x;
-    var start_66 : u32 = _S192 * u32(11);
+    var _S196 : u32 = thread_70.x;
+    var start_66 : u32 = _S196 * u32(11);
     var result_38 : vec3<f32> = skin_tear_normal_0(vec3<f32>(inputs_0[start_66], inputs_0[start_66 + u32(1)], inputs_0[start_66 + u32(2)]), vec3<f32>(inputs_0[start_66 + u32(3)], inputs_0[start_66 + u32(4)], inputs_0[start_66 + u32(5)]), vec4<f32>(inputs_0[start_66 + u32(6)], inputs_0[start_66 + u32(7)], inputs_0[start_66 + u32(8)], inputs_0[start_66 + u32(9)]), inputs_0[start_66 + u32(10)]);
-    var _S193 : u32 = _S192 * u32(3);
-    outputs_0[_S193] = result_38[i32(0)];
-    outputs_0[_S193 + u32(1)] = result_38[i32(1)];
-    outputs_0[_S193 + u32(2)] = result_38[i32(2)];
+    var _S197 : u32 = _S196 * u32(3);
+    outputs_0[_S197] = result_38[i32(0)];
+    outputs_0[_S197 + u32(1)] = result_38[i32(1)];
+    outputs_0[_S197 + u32(2)] = result_38[i32(2)];
     return;
 }
 

@@ -919,7 +919,19 @@ vec3 skin_eye_light(sampler2D lut, vec4 lut_axes, vec3 hit_mm, vec3 light)
     float row_2 = 0.5 + 15.0 * min(abs(y_2) / (- lut_axes.x * 31.0 / 32.0), 1.0) + 16.0 * _S56;
     vec2 _S57 = lut_axes.xz;
     vec2 _S58 = lut_axes.yw;
-    vec3 value_1 = mix((textureLod((lut), (skin_saturate_2((vec2(x_10, row_2) - _S57) * _S58)), (0.0))).xyz, (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2 + 16.0) - _S57) * _S58)), (0.0))).xyz, vec3(index_0 - _S56));
+    vec3 first_0 = (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2) - _S57) * _S58)), (0.0))).xyz;
+    vec3 second_0 = (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2 + 16.0) - _S57) * _S58)), (0.0))).xyz;
+    float straight_0 = 1.0 - min(across_0 / 0.50550216436386108, 1.0);
+    float moved_0;
+    if(_S56 > 13.5)
+    {
+        moved_0 = straight_0;
+    }
+    else
+    {
+        moved_0 = index_0 - _S56;
+    }
+    vec3 value_1 = mix(first_0, second_0, vec3(index_0 - _S56, moved_0, moved_0));
     float entry_y_0;
     if(y_2 < 0.0)
     {
@@ -996,20 +1008,30 @@ float skin_lid_hidden(vec3 position_mm, vec3 normal, vec4 lid, float radius_mm)
     float bare_0 = lid.w - dot(_S69, position_mm);
     vec3 foot_0 = position_mm + bare_0 * _S69;
     float along_1 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S69 - toward_0 * normal) / tangent_0));
-    float length_0 = sqrt(max(along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm), 0.0)) - along_1;
+    float radicand_1 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
+    float length_0 = sqrt(max(radicand_1, 0.0)) - along_1;
     float above_0 = bare_0 * toward_0 + length_0 * tangent_0;
     float beside_0 = bare_0 * tangent_0 - length_0 * toward_0;
     float cosine_5 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379);
-    float _S70;
+    bool _S70;
     if(above_0 > 0.0)
     {
-        _S70 = 0.5 * (1.0 - cosine_5);
+        _S70 = radicand_1 > 0.0;
     }
     else
     {
-        _S70 = 0.0;
+        _S70 = false;
     }
-    return _S70;
+    float _S71;
+    if(_S70)
+    {
+        _S71 = 0.5 * (1.0 - cosine_5);
+    }
+    else
+    {
+        _S71 = 0.0;
+    }
+    return _S71;
 }
 
 float skin_lid_openness(vec3 position_mm, vec3 normal, vec4 upper, vec4 lower, float radius_mm)
@@ -1017,22 +1039,28 @@ float skin_lid_openness(vec3 position_mm, vec3 normal, vec4 upper, vec4 lower, f
     return skin_saturate_1(1.0 - skin_lid_hidden(position_mm, normal, upper, radius_mm) - skin_lid_hidden(position_mm, normal, lower, radius_mm));
 }
 
-float skin_lid_iris_hidden(vec3 position_mm, vec4 lid)
+float skin_lid_iris_hidden(vec3 position_mm, float narrowed, vec4 lid)
 {
-    float a_2 = lid.w - dot(lid.xyz, position_mm) - 0.86000001430511475;
-    return 0.5 * (1.0 - a_2 / sqrt(a_2 * a_2 + 5.15289974212646484));
+    float a_2 = lid.w - dot(lid.xyz, position_mm) - 0.57999998331069946 * narrowed;
+    float width_1 = 2.58999991416931152 * narrowed;
+    return 0.5 * (1.0 - a_2 / sqrt(a_2 * a_2 + width_1 * width_1));
 }
 
 float skin_lid_iris_openness(vec3 hit_mm, vec4 cornea, vec4 limbus, vec4 upper, vec4 lower)
 {
-    vec2 entry_0 = 0.60000002384185791 * hit_mm.xy;
+    vec2 _S72 = hit_mm.xy;
+    float _S73 = limbus.x;
+    float squared_0 = dot(_S72, _S72) / (_S73 * _S73);
+    float rim_0 = squared_0 * squared_0;
+    vec2 entry_0 = (0.82999998331069946 + 0.40999999642372131 * rim_0) * _S72;
+    float _S74 = max(1.0 - 1.12000000476837158 * rim_0, 0.05000000074505806);
     vec3 position_1 = vec3(entry_0, skin_eye_height(sqrt(dot(entry_0, entry_0)), cornea, limbus));
-    return skin_saturate_1(1.0 - skin_lid_iris_hidden(position_1, upper) - skin_lid_iris_hidden(position_1, lower));
+    return skin_saturate_1(1.0 - skin_lid_iris_hidden(position_1, _S74, upper) - skin_lid_iris_hidden(position_1, _S74, lower));
 }
 
 vec3 skin_tear_normal(vec3 position_mm, vec3 normal, vec4 lid, float height_mm)
 {
-    vec3 _S71 = lid.xyz;
-    float sine_2 = skin_saturate_1(1.0 - (lid.w - dot(_S71, position_mm)) / max(height_mm, 0.00009999999747379));
-    return skin_unit_vectors(sqrt(max(1.0 - sine_2 * sine_2, 0.0)) * normal - sine_2 * skin_unit_vectors(_S71 - dot(_S71, normal) * normal));
+    vec3 _S75 = lid.xyz;
+    float sine_2 = skin_saturate_1(1.0 - (lid.w - dot(_S75, position_mm)) / max(height_mm, 0.00009999999747379));
+    return skin_unit_vectors(sqrt(max(1.0 - sine_2 * sine_2, 0.0)) * normal - sine_2 * skin_unit_vectors(_S75 - dot(_S75, normal) * normal));
 }

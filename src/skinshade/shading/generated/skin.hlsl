@@ -905,7 +905,19 @@ float3 skin_eye_light(Texture2D<float4 > lut, SamplerState lut_sampler, float4 l
     float row_2 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S56;
     float2 _S57 = lut_axes.xz;
     float2 _S58 = lut_axes.yw;
-    float3 value_1 = lerp(lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2) - _S57) * _S58), 0.0f).xyz, lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2 + 16.0f) - _S57) * _S58), 0.0f).xyz, (float3)(index_0 - _S56));
+    float3 first_0 = lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2) - _S57) * _S58), 0.0f).xyz;
+    float3 second_0 = lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2 + 16.0f) - _S57) * _S58), 0.0f).xyz;
+    float straight_0 = 1.0f - min(across_0 / 0.50550216436386108f, 1.0f);
+    float moved_0;
+    if(_S56 > 13.5f)
+    {
+        moved_0 = straight_0;
+    }
+    else
+    {
+        moved_0 = index_0 - _S56;
+    }
+    float3 value_1 = lerp(first_0, second_0, float3(index_0 - _S56, moved_0, moved_0));
     float entry_y_0;
     if(y_2 < 0.0f)
     {
@@ -982,20 +994,30 @@ float skin_lid_hidden(float3 position_mm, float3 normal, float4 lid, float radiu
     float bare_0 = lid.w - dot(_S69, position_mm);
     float3 foot_0 = position_mm + bare_0 * _S69;
     float along_1 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S69 - toward_0 * normal) / tangent_0));
-    float length_0 = sqrt(max(along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm), 0.0f)) - along_1;
+    float radicand_1 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
+    float length_0 = sqrt(max(radicand_1, 0.0f)) - along_1;
     float above_0 = bare_0 * toward_0 + length_0 * tangent_0;
     float beside_0 = bare_0 * tangent_0 - length_0 * toward_0;
     float cosine_5 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    float _S70;
+    bool _S70;
     if(above_0 > 0.0f)
     {
-        _S70 = 0.5f * (1.0f - cosine_5);
+        _S70 = radicand_1 > 0.0f;
     }
     else
     {
-        _S70 = 0.0f;
+        _S70 = false;
     }
-    return _S70;
+    float _S71;
+    if(_S70)
+    {
+        _S71 = 0.5f * (1.0f - cosine_5);
+    }
+    else
+    {
+        _S71 = 0.0f;
+    }
+    return _S71;
 }
 
 float skin_lid_openness(float3 position_mm, float3 normal, float4 upper, float4 lower, float radius_mm)
@@ -1003,22 +1025,28 @@ float skin_lid_openness(float3 position_mm, float3 normal, float4 upper, float4 
     return saturate(1.0f - skin_lid_hidden(position_mm, normal, upper, radius_mm) - skin_lid_hidden(position_mm, normal, lower, radius_mm));
 }
 
-float skin_lid_iris_hidden(float3 position_mm, float4 lid)
+float skin_lid_iris_hidden(float3 position_mm, float narrowed, float4 lid)
 {
-    float a_2 = lid.w - dot(lid.xyz, position_mm) - 0.86000001430511475f;
-    return 0.5f * (1.0f - a_2 / sqrt(a_2 * a_2 + 5.15289974212646484f));
+    float a_2 = lid.w - dot(lid.xyz, position_mm) - 0.57999998331069946f * narrowed;
+    float width_1 = 2.58999991416931152f * narrowed;
+    return 0.5f * (1.0f - a_2 / sqrt(a_2 * a_2 + width_1 * width_1));
 }
 
 float skin_lid_iris_openness(float3 hit_mm, float4 cornea, float4 limbus, float4 upper, float4 lower)
 {
-    float2 entry_0 = 0.60000002384185791f * hit_mm.xy;
+    float2 _S72 = hit_mm.xy;
+    float _S73 = limbus.x;
+    float squared_0 = dot(_S72, _S72) / (_S73 * _S73);
+    float rim_0 = squared_0 * squared_0;
+    float2 entry_0 = (0.82999998331069946f + 0.40999999642372131f * rim_0) * _S72;
+    float _S74 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
     float3 position_1 = float3(entry_0, skin_eye_height(sqrt(dot(entry_0, entry_0)), cornea, limbus));
-    return saturate(1.0f - skin_lid_iris_hidden(position_1, upper) - skin_lid_iris_hidden(position_1, lower));
+    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S74, upper) - skin_lid_iris_hidden(position_1, _S74, lower));
 }
 
 float3 skin_tear_normal(float3 position_mm, float3 normal, float4 lid, float height_mm)
 {
-    float3 _S71 = lid.xyz;
-    float sine_2 = saturate(1.0f - (lid.w - dot(_S71, position_mm)) / max(height_mm, 0.00009999999747379f));
-    return skin_unit_vectors(sqrt(max(1.0f - sine_2 * sine_2, 0.0f)) * normal - sine_2 * skin_unit_vectors(_S71 - dot(_S71, normal) * normal));
+    float3 _S75 = lid.xyz;
+    float sine_2 = saturate(1.0f - (lid.w - dot(_S75, position_mm)) / max(height_mm, 0.00009999999747379f));
+    return skin_unit_vectors(sqrt(max(1.0f - sine_2 * sine_2, 0.0f)) * normal - sine_2 * skin_unit_vectors(_S75 - dot(_S75, normal) * normal));
 }

@@ -912,7 +912,19 @@ fn skin_eye_light(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<
     var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S60;
     var _S61 : vec2<f32> = lut_axes.xz;
     var _S62 : vec2<f32> = lut_axes.yw;
-    var value_1 : vec3<f32> = mix((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2) - _S61) * _S62)), (0.0f))).xyz, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S61) * _S62)), (0.0f))).xyz, vec3<f32>((index_0 - _S60)));
+    var first_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2) - _S61) * _S62)), (0.0f))).xyz;
+    var second_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S61) * _S62)), (0.0f))).xyz;
+    var straight_0 : f32 = 1.0f - min(across_0 / 0.50550216436386108f, 1.0f);
+    var moved_0 : f32;
+    if(_S60 > 13.5f)
+    {
+        moved_0 = straight_0;
+    }
+    else
+    {
+        moved_0 = index_0 - _S60;
+    }
+    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S60, moved_0, moved_0));
     var entry_y_0 : f32;
     if(y_2 < 0.0f)
     {
@@ -991,20 +1003,30 @@ fn skin_lid_hidden(position_mm : vec3<f32>, normal : vec3<f32>, lid : vec4<f32>,
     var bare_0 : f32 = lid.w - dot(_S73, position_mm);
     var foot_0 : vec3<f32> = position_mm + vec3<f32>(bare_0) * _S73;
     var along_1 : f32 = dot(foot_0, _S75 * normal - _S74 * ((_S73 - _S74 * normal) / _S75));
-    var length_0 : f32 = sqrt(max(along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm), 0.0f)) - along_1;
+    var radicand_1 : f32 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
+    var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_1;
     var above_0 : f32 = bare_0 * toward_0 + length_0 * tangent_0;
     var beside_0 : f32 = bare_0 * tangent_0 - length_0 * toward_0;
     var cosine_5 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    var _S76 : f32;
+    var _S76 : bool;
     if(above_0 > 0.0f)
     {
-        _S76 = 0.5f * (1.0f - cosine_5);
+        _S76 = radicand_1 > 0.0f;
     }
     else
     {
-        _S76 = 0.0f;
+        _S76 = false;
     }
-    return _S76;
+    var _S77 : f32;
+    if(_S76)
+    {
+        _S77 = 0.5f * (1.0f - cosine_5);
+    }
+    else
+    {
+        _S77 = 0.0f;
+    }
+    return _S77;
 }
 
 fn skin_lid_openness(position_mm : vec3<f32>, normal : vec3<f32>, upper : vec4<f32>, lower : vec4<f32>, radius_mm : f32) -> f32
@@ -1012,22 +1034,28 @@ fn skin_lid_openness(position_mm : vec3<f32>, normal : vec3<f32>, upper : vec4<f
     return saturate(1.0f - skin_lid_hidden(position_mm, normal, upper, radius_mm) - skin_lid_hidden(position_mm, normal, lower, radius_mm));
 }
 
-fn skin_lid_iris_hidden(position_mm : vec3<f32>, lid : vec4<f32>) -> f32
+fn skin_lid_iris_hidden(position_mm : vec3<f32>, narrowed : f32, lid : vec4<f32>) -> f32
 {
-    var a_2 : f32 = lid.w - dot(lid.xyz, position_mm) - 0.86000001430511475f;
-    return 0.5f * (1.0f - a_2 / sqrt(a_2 * a_2 + 5.15289974212646484f));
+    var a_2 : f32 = lid.w - dot(lid.xyz, position_mm) - 0.57999998331069946f * narrowed;
+    var width_1 : f32 = 2.58999991416931152f * narrowed;
+    return 0.5f * (1.0f - a_2 / sqrt(a_2 * a_2 + width_1 * width_1));
 }
 
 fn skin_lid_iris_openness(hit_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f32>, upper : vec4<f32>, lower : vec4<f32>) -> f32
 {
-    var entry_0 : vec2<f32> = vec2<f32>(0.60000002384185791f) * hit_mm.xy;
+    var _S78 : vec2<f32> = hit_mm.xy;
+    var _S79 : f32 = limbus.x;
+    var squared_0 : f32 = dot(_S78, _S78) / (_S79 * _S79);
+    var rim_0 : f32 = squared_0 * squared_0;
+    var entry_0 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S78;
+    var _S80 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
     var position_1 : vec3<f32> = vec3<f32>(entry_0, skin_eye_height(sqrt(dot(entry_0, entry_0)), cornea, limbus));
-    return saturate(1.0f - skin_lid_iris_hidden(position_1, upper) - skin_lid_iris_hidden(position_1, lower));
+    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S80, upper) - skin_lid_iris_hidden(position_1, _S80, lower));
 }
 
 fn skin_tear_normal(position_mm : vec3<f32>, normal : vec3<f32>, lid : vec4<f32>, height_mm : f32) -> vec3<f32>
 {
-    var _S77 : vec3<f32> = lid.xyz;
-    var sine_2 : f32 = saturate(1.0f - (lid.w - dot(_S77, position_mm)) / max(height_mm, 0.00009999999747379f));
-    return skin_unit_vectors(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal - vec3<f32>(sine_2) * skin_unit_vectors(_S77 - vec3<f32>(dot(_S77, normal)) * normal));
+    var _S81 : vec3<f32> = lid.xyz;
+    var sine_2 : f32 = saturate(1.0f - (lid.w - dot(_S81, position_mm)) / max(height_mm, 0.00009999999747379f));
+    return skin_unit_vectors(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal - vec3<f32>(sine_2) * skin_unit_vectors(_S81 - vec3<f32>(dot(_S81, normal)) * normal));
 }
