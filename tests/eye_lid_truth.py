@@ -22,7 +22,7 @@ def margin_plane(height_mm):
 def lets_through(point, direction, planes):
     """Return whether rays (n, m, 3) from points (n, 3) leave the ball where no lid is, by bisection."""
     low, high = np.zeros(direction.shape[:-1]), np.full(direction.shape[:-1], 40.0)
-    for _ in range(45):
+    for _ in range(32):
         middle = 0.5 * (low + high)
         inside = np.linalg.norm(point[:, None] + middle[..., None] * direction, axis=-1) < BALL_MM
         low, high = np.where(inside, middle, low), np.where(inside, high, middle)
