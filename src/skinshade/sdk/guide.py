@@ -11,7 +11,7 @@ from ..shading.tables import ENGINE_LUTS
 from .example import example_calls, example_inputs
 from .languages import ShadingLanguage
 
-__all__ = ["guide"]
+__all__ = ["eye_guide", "guide"]
 
 ROWS = {
     "glsl": "; `mat3(a, b, c)` has `m[0] == a`, so pass them in order",
@@ -26,6 +26,11 @@ FENCES = {"slang": "hlsl", "metal": "cpp"}
 @cache
 def _page() -> str:
     return files("skinshade.sdk").joinpath("guide.md").read_text(encoding="utf-8")
+
+
+def eye_guide() -> str:
+    """Return the section of the README about an eye, in Markdown."""
+    return files("skinshade.sdk").joinpath("eye_guide.md").read_text(encoding="utf-8")
 
 
 def guide(form: ShadingLanguage, skin: Skin) -> str:

@@ -14,10 +14,11 @@ from codegen.signatures import signatures
 from gpu_device import adapter_or_skip, tool_or_skip
 from skinshade._core.errors import ArgumentError, OutputError
 from skinshade.lut import Lut
-from skinshade.params import SkinParams
+from skinshade.params import EyeParams, SkinParams
 from skinshade.profile import Profile
 from skinshade.sdk import LANGUAGES, Language, export_shaders
 from skinshade.sdk.example import INPUTS, example_calls
+from skinshade.shading.eye_tables import build_eye_lut, eye_place
 from skinshade.shading.skin import Skin
 from skinshade.shading.tables import ENGINE_LUTS
 
@@ -148,6 +149,24 @@ def test_blocks_and_tables_are_those_of_the_material(packages):
     numbers = json.loads((folder / "skin.json").read_text("utf-8"))
     assert numbers["skin_block"]["scatter_scale"] == 1.5
     assert numbers["scatter_block"]["shadow_axes"] == list(skin.lut("shadow").axes)
+
+
+def test_a_package_with_an_eye_has_its_blocks_tables_and_guide(tmp_path):
+    eye = EyeParams(pupil_radius_mm=3.0)
+    names = {path.name for path in export_shaders("wgsl", tmp_path, eye=eye)}
+    luts = build_eye_lut(eye)
+    for name, lut in luts.by_name().items():
+        loaded = Lut.load(tmp_path / f"eye_{name}_lut.exr")
+        assert np.array_equal(loaded.values, lut.values)
+    assert (tmp_path / "eye_block.bin").read_bytes() == eye.pack()
+    assert (tmp_path / "eye_place_block.bin").read_bytes() == eye_place(luts.by_name()).pack()
+    guide = (tmp_path / "README.md").read_text("utf-8")
+    assert set(re.findall(r"`(eye_\w+\.(?:bin|exr))`", guide)) == {
+        name for name in names if name.startswith("eye_") and not name.endswith(".png")
+    }
+    numbers = json.loads((tmp_path / "skin.json").read_text("utf-8"))
+    assert numbers["eye_block"]["pupil_radius_mm"] == 3.0
+    assert numbers["eye_place_block"]["lamp_axes"] == list(luts.lamp.axes)
 
 
 def test_two_exports_have_the_same_bytes(packages, tmp_path):
