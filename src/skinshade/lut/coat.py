@@ -11,7 +11,7 @@ from .._core.version import __version__
 from ..params.gloss import alpha_from_gloss
 from .table import Axis, Lut, checked_size
 
-__all__ = ["build_coat_lut", "dielectric_fresnel"]
+__all__ = ["build_coat_lut", "coat_fresnel"]
 
 RADII, ANGLES = 16, 10
 """Nodes of the quadrature over visible normals: E is within 3e-4 of 33,000 nodes."""
@@ -22,7 +22,7 @@ GREATEST_REFLECTANCE = 0.9
 """Reflectance above which the index of refraction no longer grows; at 1 it would be infinite."""
 
 
-def dielectric_fresnel(cosine: FloatArray, reflectance: FloatArray) -> FloatArray:
+def coat_fresnel(cosine: FloatArray, reflectance: FloatArray) -> FloatArray:
     """Return the reflectance (...) of a smooth dielectric for unpolarised light (Fresnel's equations).
 
     Parameters
@@ -36,8 +36,8 @@ def dielectric_fresnel(cosine: FloatArray, reflectance: FloatArray) -> FloatArra
     Examples
     --------
     >>> import numpy as np
-    >>> from skinshade.lut.coat import dielectric_fresnel
-    >>> dielectric_fresnel(np.array([0.0, 0.5, 1.0]), np.array(0.028)).round(3)
+    >>> from skinshade.lut.coat import coat_fresnel
+    >>> coat_fresnel(np.array([0.0, 0.5, 1.0]), np.array(0.028)).round(3)
     array([1.   , 0.072, 0.028])
     """
     root = np.sqrt(np.clip(reflectance, 0.0, GREATEST_REFLECTANCE))
@@ -114,7 +114,7 @@ def _reflection(cosine: FloatArray, alpha: float, reflectance: float) -> FloatAr
     # Height-correlated shadowing and masking over masking alone, which the visible normals contain.
     from_eye, from_light = _lambda(c, squared), _lambda(np.maximum(up, 1e-9), squared)
     share = np.where(up > 0.0, (1.0 + from_eye) / (1.0 + from_eye + from_light), 0.0) * weights
-    reflected = share * dielectric_fresnel(v_dot_h, np.asarray(reflectance))
+    reflected = share * coat_fresnel(v_dot_h, np.asarray(reflectance))
     mean_away, mean_up = -(reflected * across).sum(axis=1), (reflected * up).sum(axis=1)
     turned = s[:, 0] * mean_up - cosine * mean_away
     pull = turned / np.where(reflectance > 0.0, turned + mean_away, 1.0)

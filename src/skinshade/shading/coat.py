@@ -6,7 +6,7 @@ import numpy as np
 
 from .._core.arrays import FloatArray, dot, unit_vectors
 from ..lut import Lut
-from ..lut.coat import dielectric_fresnel
+from ..lut.coat import coat_fresnel
 from ..params.gloss import alpha_from_gloss
 from .specular import reflected
 
@@ -14,8 +14,8 @@ __all__ = [
     "alpha_from_gloss",
     "coat",
     "coat_direction",
+    "coat_fresnel",
     "coat_highlight",
-    "dielectric_fresnel",
     "second_gloss",
 ]
 
@@ -67,7 +67,7 @@ def coat_highlight(
     toward_eye = n_dot_l * np.sqrt(np.square(n_dot_v) * (1.0 - squared) + squared)
     toward_light = n_dot_v * np.sqrt(np.square(n_dot_l) * (1.0 - squared) + squared)
     visibility = 0.5 / (toward_eye + toward_light)
-    fresnel = dielectric_fresnel(v_dot_h, reflectance)
+    fresnel = coat_fresnel(v_dot_h, reflectance)
     result: FloatArray = np.pi * distribution * visibility * fresnel * n_dot_l
     return result
 

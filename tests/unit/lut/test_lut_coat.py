@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import shading_tolerances as tol
 from skinshade._core.errors import ArgumentError
 from skinshade.lut import Lut, build_coat_lut
-from skinshade.lut.coat import dielectric_fresnel
+from skinshade.lut.coat import coat_fresnel
 from skinshade.params.gloss import gloss_from_roughness
 
 SKIN_F0 = (0.4 / 2.4) ** 2
@@ -67,14 +67,14 @@ def skin_fresnel(cosine):
 @given(st.floats(1e-3, 1.0), st.floats(1.01, 2.6))
 def test_fresnel_is_that_of_snells_law(cosine, ior):
     reflectance = ((ior - 1.0) / (ior + 1.0)) ** 2
-    result = dielectric_fresnel(np.array(cosine), np.array(reflectance))
+    result = coat_fresnel(np.array(cosine), np.array(reflectance))
     assert result == pytest.approx(fresnel_by_snell(cosine, ior), rel=1e-7)
 
 
 def test_fresnel_is_f0_in_front_one_at_grazing_and_zero_without_a_boundary():
-    assert dielectric_fresnel(np.array(1.0), np.array(SKIN_F0)) == pytest.approx(SKIN_F0)
-    assert dielectric_fresnel(np.array(0.0), np.array(SKIN_F0)) == pytest.approx(1.0)
-    assert not dielectric_fresnel(np.linspace(0.0, 1.0, 9), np.zeros(9)).any()
+    assert coat_fresnel(np.array(1.0), np.array(SKIN_F0)) == pytest.approx(SKIN_F0)
+    assert coat_fresnel(np.array(0.0), np.array(SKIN_F0)) == pytest.approx(1.0)
+    assert not coat_fresnel(np.linspace(0.0, 1.0, 9), np.zeros(9)).any()
 
 
 def test_the_directional_albedo_has_the_published_values():

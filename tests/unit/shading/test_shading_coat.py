@@ -89,7 +89,7 @@ def test_the_highlight_follows_the_formula(seed, gloss, reflectance):
         return 0.5 * (np.sqrt(1.0 + a2 * (1.0 / c**2 - 1.0)) - 1.0)
 
     shadowing = 1.0 / (1.0 + smith(v[:, 2]) + smith(light[:, 2]))
-    fresnel = term.dielectric_fresnel(np.sum(v * h, axis=1), np.full(20, reflectance))
+    fresnel = term.coat_fresnel(np.sum(v * h, axis=1), np.full(20, reflectance))
     truth = np.pi * density * shadowing * fresnel / (4.0 * v[:, 2])
     result = term.coat_highlight(up(v), v, light, np.full(20, gloss), np.full(20, reflectance))
     assert np.allclose(result, truth, rtol=1e-9, atol=1e-300)
@@ -199,7 +199,7 @@ def lobe_radiance(environment, n, v, alpha):
 
     above = (n_dot_l > 0.0) & (v_dot_h > 0.0)
     shadowing = 1.0 / (1.0 + smith(n_dot_v) + smith(np.maximum(n_dot_l, 1e-6)))
-    fresnel = term.dielectric_fresnel(np.clip(v_dot_h, 0.0, 1.0), np.array(SKIN_F0))
+    fresnel = term.coat_fresnel(np.clip(v_dot_h, 0.0, 1.0), np.array(SKIN_F0))
     weight = np.where(above, shadowing * fresnel * v_dot_h / n_dot_h, 0.0)
     return np.einsum("ij,ijc->c", weight, environment.sample(light)) / weight.sum()
 

@@ -1115,7 +1115,7 @@ fn run_second_gloss(@builtin(global_invocation_id) thread_47 : vec3<u32>)
     return;
 }
 
-fn skin_dielectric_fresnel_0( cosine_2 : f32,  reflectance_4 : f32) -> f32
+fn skin_coat_fresnel_0( cosine_2 : f32,  reflectance_4 : f32) -> f32
 {
     var root_1 : f32 = sqrt(clamp(reflectance_4, 0.0f, 0.89999997615814209f));
     var _S107 : f32 = 1.0f - root_1;
@@ -1128,11 +1128,11 @@ fn skin_dielectric_fresnel_0( cosine_2 : f32,  reflectance_4 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_dielectric_fresnel(@builtin(global_invocation_id) thread_48 : vec3<u32>)
+fn run_coat_fresnel(@builtin(global_invocation_id) thread_48 : vec3<u32>)
 {
     var _S109 : u32 = thread_48.x;
     var start_43 : u32 = _S109 * u32(2);
-    outputs_0[_S109] = skin_dielectric_fresnel_0(inputs_0[start_43], inputs_0[start_43 + u32(1)]);
+    outputs_0[_S109] = skin_coat_fresnel_0(inputs_0[start_43], inputs_0[start_43 + u32(1)]);
     return;
 }
 
@@ -1156,7 +1156,7 @@ fn skin_coat_highlight_0( normal_10 : vec3<f32>,  view_4 : vec3<f32>,  light_6 :
     }
     var root_2 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
     var _S110 : f32 = 1.0f - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S110 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S110 + squared_0))) * skin_dielectric_fresnel_0(v_dot_h_0, reflectance_5) * n_dot_l_4;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S110 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S110 + squared_0))) * skin_coat_fresnel_0(v_dot_h_0, reflectance_5) * n_dot_l_4;
 }
 
 @compute
@@ -1510,40 +1510,40 @@ fn skin_eye_cornea_0( cornea_radius_mm_0 : f32,  cornea_asphericity_0 : f32,  re
 {
     var r_1 : f32 = limbus_0.x;
     var ratio_0 : f32 = r_1 / cornea_radius_mm_0;
-    var _S120 : f32 = r_1 * r_1;
-    var _S121 : f32 = limbus_0.z;
-    return vec4<f32>(skin_eye_root_0(_S121 * _S121 - _S120) + _S120 / (cornea_radius_mm_0 * (1.0f + skin_eye_root_0(1.0f - (1.0f + cornea_asphericity_0) * ratio_0 * ratio_0))), cornea_radius_mm_0, cornea_asphericity_0, refraction_index_0);
+    var _S146 : f32 = r_1 * r_1;
+    var _S147 : f32 = limbus_0.z;
+    return vec4<f32>(skin_eye_root_0(_S147 * _S147 - _S146) + _S146 / (cornea_radius_mm_0 * (1.0f + skin_eye_root_0(1.0f - (1.0f + cornea_asphericity_0) * ratio_0 * ratio_0))), cornea_radius_mm_0, cornea_asphericity_0, refraction_index_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_cornea(@builtin(global_invocation_id) thread_53 : vec3<u32>)
+fn run_eye_cornea(@builtin(global_invocation_id) thread_64 : vec3<u32>)
 {
-    var _S122 : u32 = thread_53.x;
-    var start_49 : u32 = _S122 * u32(7);
-    var result_30 : vec4<f32> = skin_eye_cornea_0(inputs_0[start_49], inputs_0[start_49 + u32(1)], inputs_0[start_49 + u32(2)], vec4<f32>(inputs_0[start_49 + u32(3)], inputs_0[start_49 + u32(4)], inputs_0[start_49 + u32(5)], inputs_0[start_49 + u32(6)]));
-    var _S123 : u32 = _S122 * u32(4);
-    outputs_0[_S123] = result_30[i32(0)];
-    outputs_0[_S123 + u32(1)] = result_30[i32(1)];
-    outputs_0[_S123 + u32(2)] = result_30[i32(2)];
-    outputs_0[_S123 + u32(3)] = result_30[i32(3)];
+    var _S148 : u32 = thread_64.x;
+    var start_58 : u32 = _S148 * u32(7);
+    var result_37 : vec4<f32> = skin_eye_cornea_0(inputs_0[start_58], inputs_0[start_58 + u32(1)], inputs_0[start_58 + u32(2)], vec4<f32>(inputs_0[start_58 + u32(3)], inputs_0[start_58 + u32(4)], inputs_0[start_58 + u32(5)], inputs_0[start_58 + u32(6)]));
+    var _S149 : u32 = _S148 * u32(4);
+    outputs_0[_S149] = result_37[i32(0)];
+    outputs_0[_S149 + u32(1)] = result_37[i32(1)];
+    outputs_0[_S149 + u32(2)] = result_37[i32(2)];
+    outputs_0[_S149 + u32(3)] = result_37[i32(3)];
     return;
 }
 
 fn skin_eye_conic_0( r_2 : f32,  cornea_0 : vec4<f32>) -> vec2<f32>
 {
-    var _S124 : f32 = cornea_0.y;
-    var ratio_1 : f32 = r_2 / _S124;
-    var root_0 : f32 = skin_eye_root_0(1.0f - (1.0f + cornea_0.z) * ratio_1 * ratio_1);
-    return vec2<f32>(cornea_0.x - r_2 * r_2 / (_S124 * (1.0f + root_0)), -1.0f / (_S124 * root_0));
+    var _S150 : f32 = cornea_0.y;
+    var ratio_1 : f32 = r_2 / _S150;
+    var root_3 : f32 = skin_eye_root_0(1.0f - (1.0f + cornea_0.z) * ratio_1 * ratio_1);
+    return vec2<f32>(cornea_0.x - r_2 * r_2 / (_S150 * (1.0f + root_3)), -1.0f / (_S150 * root_3));
 }
 
 fn skin_eye_profile_0( r_3 : f32,  cornea_1 : vec4<f32>,  limbus_1 : vec4<f32>) -> vec2<f32>
 {
-    var _S125 : f32 = limbus_1.x;
-    var _S126 : f32 = limbus_1.y;
-    var inner_0 : f32 = _S125 - _S126;
-    var outer_0 : f32 = _S125 + _S126;
+    var _S151 : f32 = limbus_1.x;
+    var _S152 : f32 = limbus_1.y;
+    var inner_0 : f32 = _S151 - _S152;
+    var outer_0 : f32 = _S151 + _S152;
     var width_0 : f32 = outer_0 - inner_0;
     if(r_3 < inner_0)
     {
@@ -1551,21 +1551,21 @@ fn skin_eye_profile_0( r_3 : f32,  cornea_1 : vec4<f32>,  limbus_1 : vec4<f32>) 
     }
     if(r_3 >= outer_0)
     {
-        var _S127 : f32 = limbus_1.z;
-        var sphere_0 : f32 = skin_eye_root_0(_S127 * _S127 - r_3 * r_3);
+        var _S153 : f32 = limbus_1.z;
+        var sphere_0 : f32 = skin_eye_root_0(_S153 * _S153 - r_3 * r_3);
         return vec2<f32>(sphere_0, -1.0f / sphere_0);
     }
-    var start_50 : vec2<f32> = skin_eye_conic_0(inner_0, cornea_1);
-    var _S128 : f32 = limbus_1.z;
-    var end_0 : f32 = skin_eye_root_0(_S128 * _S128 - outer_0 * outer_0);
-    var m0_0 : f32 = width_0 * inner_0 * start_50.y;
+    var start_59 : vec2<f32> = skin_eye_conic_0(inner_0, cornea_1);
+    var _S154 : f32 = limbus_1.z;
+    var end_0 : f32 = skin_eye_root_0(_S154 * _S154 - outer_0 * outer_0);
+    var m0_0 : f32 = width_0 * inner_0 * start_59.y;
     var m1_0 : f32 = - width_0 * outer_0 / end_0;
     var t_2 : f32 = (r_3 - inner_0) / width_0;
-    var _S129 : f32 = start_50.x;
-    var rise_0 : f32 = end_0 - _S129;
+    var _S155 : f32 = start_59.x;
+    var rise_0 : f32 = end_0 - _S155;
     var c2_0 : f32 = 3.0f * rise_0 - 2.0f * m0_0 - m1_0;
     var c3_0 : f32 = m0_0 + m1_0 - 2.0f * rise_0;
-    return vec2<f32>(_S129 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r_3, 9.99999997475242708e-07f)));
+    return vec2<f32>(_S155 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r_3, 9.99999997475242708e-07f)));
 }
 
 fn skin_eye_height_0( r_mm_0 : f32,  cornea_2 : vec4<f32>,  limbus_2 : vec4<f32>) -> f32
@@ -1575,18 +1575,18 @@ fn skin_eye_height_0( r_mm_0 : f32,  cornea_2 : vec4<f32>,  limbus_2 : vec4<f32>
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_height(@builtin(global_invocation_id) thread_54 : vec3<u32>)
+fn run_eye_height(@builtin(global_invocation_id) thread_65 : vec3<u32>)
 {
-    var _S130 : u32 = thread_54.x;
-    var start_51 : u32 = _S130 * u32(9);
-    outputs_0[_S130] = skin_eye_height_0(inputs_0[start_51], vec4<f32>(inputs_0[start_51 + u32(1)], inputs_0[start_51 + u32(2)], inputs_0[start_51 + u32(3)], inputs_0[start_51 + u32(4)]), vec4<f32>(inputs_0[start_51 + u32(5)], inputs_0[start_51 + u32(6)], inputs_0[start_51 + u32(7)], inputs_0[start_51 + u32(8)]));
+    var _S156 : u32 = thread_65.x;
+    var start_60 : u32 = _S156 * u32(9);
+    outputs_0[_S156] = skin_eye_height_0(inputs_0[start_60], vec4<f32>(inputs_0[start_60 + u32(1)], inputs_0[start_60 + u32(2)], inputs_0[start_60 + u32(3)], inputs_0[start_60 + u32(4)]), vec4<f32>(inputs_0[start_60 + u32(5)], inputs_0[start_60 + u32(6)], inputs_0[start_60 + u32(7)], inputs_0[start_60 + u32(8)]));
     return;
 }
 
 fn skin_eye_normal_0( position_mm_4 : vec3<f32>,  cornea_3 : vec4<f32>,  limbus_3 : vec4<f32>) -> vec3<f32>
 {
-    var _S131 : vec2<f32> = position_mm_4.xy;
-    var r_4 : f32 = sqrt(dot(_S131, _S131));
+    var _S157 : vec2<f32> = position_mm_4.xy;
+    var r_4 : f32 = sqrt(dot(_S157, _S157));
     var slope_over_r_0 : f32 = skin_eye_profile_0(r_4, cornea_3, limbus_3).y;
     var in_front_0 : bool;
     if((position_mm_4.z) > 0.0f)
@@ -1597,44 +1597,44 @@ fn skin_eye_normal_0( position_mm_4 : vec3<f32>,  cornea_3 : vec4<f32>,  limbus_
     {
         in_front_0 = false;
     }
-    var normal_10 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S131, 1.0f);
-    var _S132 : vec3<f32>;
+    var normal_12 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S157, 1.0f);
+    var _S158 : vec3<f32>;
     if(in_front_0)
     {
-        _S132 = normal_10;
+        _S158 = normal_12;
     }
     else
     {
-        _S132 = position_mm_4;
+        _S158 = position_mm_4;
     }
-    return skin_unit_vectors_0(_S132);
+    return skin_unit_vectors_0(_S158);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_normal(@builtin(global_invocation_id) thread_55 : vec3<u32>)
+fn run_eye_normal(@builtin(global_invocation_id) thread_66 : vec3<u32>)
 {
-    var _S133 : u32 = thread_55.x;
-    var start_52 : u32 = _S133 * u32(11);
-    var result_31 : vec3<f32> = skin_eye_normal_0(vec3<f32>(inputs_0[start_52], inputs_0[start_52 + u32(1)], inputs_0[start_52 + u32(2)]), vec4<f32>(inputs_0[start_52 + u32(3)], inputs_0[start_52 + u32(4)], inputs_0[start_52 + u32(5)], inputs_0[start_52 + u32(6)]), vec4<f32>(inputs_0[start_52 + u32(7)], inputs_0[start_52 + u32(8)], inputs_0[start_52 + u32(9)], inputs_0[start_52 + u32(10)]));
-    var _S134 : u32 = _S133 * u32(3);
-    outputs_0[_S134] = result_31[i32(0)];
-    outputs_0[_S134 + u32(1)] = result_31[i32(1)];
-    outputs_0[_S134 + u32(2)] = result_31[i32(2)];
+    var _S159 : u32 = thread_66.x;
+    var start_61 : u32 = _S159 * u32(11);
+    var result_38 : vec3<f32> = skin_eye_normal_0(vec3<f32>(inputs_0[start_61], inputs_0[start_61 + u32(1)], inputs_0[start_61 + u32(2)]), vec4<f32>(inputs_0[start_61 + u32(3)], inputs_0[start_61 + u32(4)], inputs_0[start_61 + u32(5)], inputs_0[start_61 + u32(6)]), vec4<f32>(inputs_0[start_61 + u32(7)], inputs_0[start_61 + u32(8)], inputs_0[start_61 + u32(9)], inputs_0[start_61 + u32(10)]));
+    var _S160 : u32 = _S159 * u32(3);
+    outputs_0[_S160] = result_38[i32(0)];
+    outputs_0[_S160 + u32(1)] = result_38[i32(1)];
+    outputs_0[_S160 + u32(2)] = result_38[i32(2)];
     return;
 }
 
-fn skin_eye_cornea_hit_0( origin_mm_0 : vec3<f32>,  direction_4 : vec3<f32>,  cornea_4 : vec4<f32>) -> vec4<f32>
+fn skin_eye_cornea_hit_0( origin_mm_0 : vec3<f32>,  direction_5 : vec3<f32>,  cornea_4 : vec4<f32>) -> vec4<f32>
 {
     var q_1 : f32 = 1.0f + cornea_4.z;
-    var s_1 : f32 = cornea_4.x - origin_mm_0.z;
-    var _S135 : f32 = direction_4.z;
-    var _S136 : vec2<f32> = origin_mm_0.xy;
-    var _S137 : f32 = cornea_4.y;
-    var _S138 : f32 = q_1 * s_1;
-    var b_1 : f32 = dot(_S136, direction_4.xy) + _S135 * (_S137 - _S138);
-    var c_0 : f32 = dot(_S136, _S136) - 2.0f * _S137 * s_1 + _S138 * s_1;
-    var radicand_0 : f32 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S135 * _S135) * c_0;
+    var s_2 : f32 = cornea_4.x - origin_mm_0.z;
+    var _S161 : f32 = direction_5.z;
+    var _S162 : vec2<f32> = origin_mm_0.xy;
+    var _S163 : f32 = cornea_4.y;
+    var _S164 : f32 = q_1 * s_2;
+    var b_1 : f32 = dot(_S162, direction_5.xy) + _S161 * (_S163 - _S164);
+    var c_0 : f32 = dot(_S162, _S162) - 2.0f * _S163 * s_2 + _S164 * s_2;
+    var radicand_0 : f32 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S161 * _S161) * c_0;
     var meets_0 : bool;
     if(radicand_0 >= 0.0f)
     {
@@ -1653,7 +1653,7 @@ fn skin_eye_cornea_hit_0( origin_mm_0 : vec3<f32>,  direction_4 : vec3<f32>,  co
     {
         distance_0 = 0.0f;
     }
-    var _S139 : vec3<f32> = origin_mm_0 + vec3<f32>(distance_0) * direction_4;
+    var _S165 : vec3<f32> = origin_mm_0 + vec3<f32>(distance_0) * direction_5;
     if(meets_0)
     {
         distance_0 = 1.0f;
@@ -1662,21 +1662,21 @@ fn skin_eye_cornea_hit_0( origin_mm_0 : vec3<f32>,  direction_4 : vec3<f32>,  co
     {
         distance_0 = 0.0f;
     }
-    return vec4<f32>(_S139, distance_0);
+    return vec4<f32>(_S165, distance_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_cornea_hit(@builtin(global_invocation_id) thread_56 : vec3<u32>)
+fn run_eye_cornea_hit(@builtin(global_invocation_id) thread_67 : vec3<u32>)
 {
-    var _S140 : u32 = thread_56.x;
-    var start_53 : u32 = _S140 * u32(10);
-    var result_32 : vec4<f32> = skin_eye_cornea_hit_0(vec3<f32>(inputs_0[start_53], inputs_0[start_53 + u32(1)], inputs_0[start_53 + u32(2)]), vec3<f32>(inputs_0[start_53 + u32(3)], inputs_0[start_53 + u32(4)], inputs_0[start_53 + u32(5)]), vec4<f32>(inputs_0[start_53 + u32(6)], inputs_0[start_53 + u32(7)], inputs_0[start_53 + u32(8)], inputs_0[start_53 + u32(9)]));
-    var _S141 : u32 = _S140 * u32(4);
-    outputs_0[_S141] = result_32[i32(0)];
-    outputs_0[_S141 + u32(1)] = result_32[i32(1)];
-    outputs_0[_S141 + u32(2)] = result_32[i32(2)];
-    outputs_0[_S141 + u32(3)] = result_32[i32(3)];
+    var _S166 : u32 = thread_67.x;
+    var start_62 : u32 = _S166 * u32(10);
+    var result_39 : vec4<f32> = skin_eye_cornea_hit_0(vec3<f32>(inputs_0[start_62], inputs_0[start_62 + u32(1)], inputs_0[start_62 + u32(2)]), vec3<f32>(inputs_0[start_62 + u32(3)], inputs_0[start_62 + u32(4)], inputs_0[start_62 + u32(5)]), vec4<f32>(inputs_0[start_62 + u32(6)], inputs_0[start_62 + u32(7)], inputs_0[start_62 + u32(8)], inputs_0[start_62 + u32(9)]));
+    var _S167 : u32 = _S166 * u32(4);
+    outputs_0[_S167] = result_39[i32(0)];
+    outputs_0[_S167 + u32(1)] = result_39[i32(1)];
+    outputs_0[_S167 + u32(2)] = result_39[i32(2)];
+    outputs_0[_S167 + u32(3)] = result_39[i32(3)];
     return;
 }
 
@@ -1688,69 +1688,69 @@ fn skin_smooth_0( t_3 : f32) -> f32
 
 fn skin_eye_limbal_opacity_0( r_mm_1 : f32,  limbus_4 : vec4<f32>) -> f32
 {
-    var _S142 : f32 = limbus_4.y;
-    return skin_smooth_0((r_mm_1 - limbus_4.x + _S142) / (2.0f * _S142));
+    var _S168 : f32 = limbus_4.y;
+    return skin_smooth_0((r_mm_1 - limbus_4.x + _S168) / (2.0f * _S168));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_limbal_opacity(@builtin(global_invocation_id) thread_57 : vec3<u32>)
+fn run_eye_limbal_opacity(@builtin(global_invocation_id) thread_68 : vec3<u32>)
 {
-    var _S143 : u32 = thread_57.x;
-    var start_54 : u32 = _S143 * u32(5);
-    outputs_0[_S143] = skin_eye_limbal_opacity_0(inputs_0[start_54], vec4<f32>(inputs_0[start_54 + u32(1)], inputs_0[start_54 + u32(2)], inputs_0[start_54 + u32(3)], inputs_0[start_54 + u32(4)]));
+    var _S169 : u32 = thread_68.x;
+    var start_63 : u32 = _S169 * u32(5);
+    outputs_0[_S169] = skin_eye_limbal_opacity_0(inputs_0[start_63], vec4<f32>(inputs_0[start_63 + u32(1)], inputs_0[start_63 + u32(2)], inputs_0[start_63 + u32(3)], inputs_0[start_63 + u32(4)]));
     return;
 }
 
-fn skin_eye_iris_hit_0( position_mm_5 : vec3<f32>,  normal_11 : vec3<f32>,  view_4 : vec3<f32>,  cornea_5 : vec4<f32>,  iris_0 : vec4<f32>) -> vec3<f32>
+fn skin_eye_iris_hit_0( position_mm_5 : vec3<f32>,  normal_13 : vec3<f32>,  view_6 : vec3<f32>,  cornea_5 : vec4<f32>,  iris_0 : vec4<f32>) -> vec3<f32>
 {
     var eta_0 : f32 = 1.0f / cornea_5.w;
-    var _S144 : f32 = max(dot(normal_11, view_4), 0.0f);
-    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S144 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S144 * _S144), 0.0f)))) * normal_11 - vec3<f32>(eta_0) * view_4;
+    var _S170 : f32 = max(dot(normal_13, view_6), 0.0f);
+    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S170 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S170 * _S170), 0.0f)))) * normal_13 - vec3<f32>(eta_0) * view_6;
     var h_0 : f32 = iris_0.x - position_mm_5.z;
-    var _S145 : f32 = iris_0.y;
-    var m2_0 : f32 = _S145 * _S145;
-    var _S146 : f32 = d_1.z;
-    var _S147 : vec2<f32> = d_1.xy;
-    var a_1 : f32 = _S146 * _S146 - m2_0 * dot(_S147, _S147);
-    var _S148 : vec2<f32> = position_mm_5.xy;
-    var b_2 : f32 = h_0 * _S146 + m2_0 * dot(_S148, _S147);
-    var e_0 : f32 = h_0 * h_0 - m2_0 * dot(_S148, _S148);
-    var apart_0 : vec2<f32> = vec2<f32>(h_0) * _S147 + vec2<f32>(_S146) * _S148;
+    var _S171 : f32 = iris_0.y;
+    var m2_0 : f32 = _S171 * _S171;
+    var _S172 : f32 = d_1.z;
+    var _S173 : vec2<f32> = d_1.xy;
+    var a_1 : f32 = _S172 * _S172 - m2_0 * dot(_S173, _S173);
+    var _S174 : vec2<f32> = position_mm_5.xy;
+    var b_2 : f32 = h_0 * _S172 + m2_0 * dot(_S174, _S173);
+    var e_0 : f32 = h_0 * h_0 - m2_0 * dot(_S174, _S174);
+    var apart_0 : vec2<f32> = vec2<f32>(h_0) * _S173 + vec2<f32>(_S172) * _S174;
     var cross_product_0 : f32 = d_1.x * position_mm_5.y - d_1.y * position_mm_5.x;
-    var root_1 : f32 = abs(_S145) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
+    var root_4 : f32 = abs(_S171) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
     var distance_1 : f32;
-    if(_S145 < 0.0f)
+    if(_S171 < 0.0f)
     {
-        distance_1 = e_0 / max(b_2 + root_1, 9.99999997475242708e-07f);
+        distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07f);
     }
     else
     {
-        distance_1 = (b_2 + root_1) / max(a_1, 0.00009999999747379f);
+        distance_1 = (b_2 + root_4) / max(a_1, 0.00009999999747379f);
     }
     return position_mm_5 + vec3<f32>(distance_1) * d_1;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_iris_hit(@builtin(global_invocation_id) thread_58 : vec3<u32>)
+fn run_eye_iris_hit(@builtin(global_invocation_id) thread_69 : vec3<u32>)
 {
-    var _S149 : u32 = thread_58.x;
-    var start_55 : u32 = _S149 * u32(17);
-    var result_33 : vec3<f32> = skin_eye_iris_hit_0(vec3<f32>(inputs_0[start_55], inputs_0[start_55 + u32(1)], inputs_0[start_55 + u32(2)]), vec3<f32>(inputs_0[start_55 + u32(3)], inputs_0[start_55 + u32(4)], inputs_0[start_55 + u32(5)]), vec3<f32>(inputs_0[start_55 + u32(6)], inputs_0[start_55 + u32(7)], inputs_0[start_55 + u32(8)]), vec4<f32>(inputs_0[start_55 + u32(9)], inputs_0[start_55 + u32(10)], inputs_0[start_55 + u32(11)], inputs_0[start_55 + u32(12)]), vec4<f32>(inputs_0[start_55 + u32(13)], inputs_0[start_55 + u32(14)], inputs_0[start_55 + u32(15)], inputs_0[start_55 + u32(16)]));
-    var _S150 : u32 = _S149 * u32(3);
-    outputs_0[_S150] = result_33[i32(0)];
-    outputs_0[_S150 + u32(1)] = result_33[i32(1)];
-    outputs_0[_S150 + u32(2)] = result_33[i32(2)];
+    var _S175 : u32 = thread_69.x;
+    var start_64 : u32 = _S175 * u32(17);
+    var result_40 : vec3<f32> = skin_eye_iris_hit_0(vec3<f32>(inputs_0[start_64], inputs_0[start_64 + u32(1)], inputs_0[start_64 + u32(2)]), vec3<f32>(inputs_0[start_64 + u32(3)], inputs_0[start_64 + u32(4)], inputs_0[start_64 + u32(5)]), vec3<f32>(inputs_0[start_64 + u32(6)], inputs_0[start_64 + u32(7)], inputs_0[start_64 + u32(8)]), vec4<f32>(inputs_0[start_64 + u32(9)], inputs_0[start_64 + u32(10)], inputs_0[start_64 + u32(11)], inputs_0[start_64 + u32(12)]), vec4<f32>(inputs_0[start_64 + u32(13)], inputs_0[start_64 + u32(14)], inputs_0[start_64 + u32(15)], inputs_0[start_64 + u32(16)]));
+    var _S176 : u32 = _S175 * u32(3);
+    outputs_0[_S176] = result_40[i32(0)];
+    outputs_0[_S176 + u32(1)] = result_40[i32(1)];
+    outputs_0[_S176 + u32(2)] = result_40[i32(2)];
     return;
 }
 
 fn skin_eye_iris_uv_0( hit_mm_0 : vec3<f32>,  iris_1 : vec4<f32>,  pupil_in_map_0 : f32,  iris_uv_0 : vec4<f32>) -> vec2<f32>
 {
-    var _S151 : vec2<f32> = hit_mm_0.xy;
-    var r_5 : f32 = sqrt(dot(_S151, _S151));
+    var _S177 : vec2<f32> = hit_mm_0.xy;
+    var r_5 : f32 = sqrt(dot(_S177, _S177));
     var pupil_0 : f32 = iris_1.w;
-    var _S152 : f32 = min((r_5 - pupil_0) / max(iris_1.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
+    var _S178 : f32 = min((r_5 - pupil_0) / max(iris_1.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
     var radius_0 : f32;
     if(r_5 < pupil_0)
     {
@@ -1758,105 +1758,105 @@ fn skin_eye_iris_uv_0( hit_mm_0 : vec3<f32>,  iris_1 : vec4<f32>,  pupil_in_map_
     }
     else
     {
-        radius_0 = pupil_in_map_0 + (1.0f - pupil_in_map_0) * _S152;
+        radius_0 = pupil_in_map_0 + (1.0f - pupil_in_map_0) * _S178;
     }
     var scale_0 : f32 = iris_uv_0.z * radius_0 / max(r_5, 9.99999997475242708e-07f);
     var angle_0 : f32 = 6.28318548202514648f * iris_uv_0.w;
-    var cosine_1 : f32 = cos(angle_0);
+    var cosine_3 : f32 = cos(angle_0);
     var sine_0 : f32 = sin(angle_0);
-    var _S153 : f32 = hit_mm_0.x;
-    var _S154 : f32 = hit_mm_0.y;
-    return vec2<f32>(iris_uv_0.x + scale_0 * (cosine_1 * _S153 - sine_0 * _S154), iris_uv_0.y - scale_0 * (sine_0 * _S153 + cosine_1 * _S154));
+    var _S179 : f32 = hit_mm_0.x;
+    var _S180 : f32 = hit_mm_0.y;
+    return vec2<f32>(iris_uv_0.x + scale_0 * (cosine_3 * _S179 - sine_0 * _S180), iris_uv_0.y - scale_0 * (sine_0 * _S179 + cosine_3 * _S180));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_iris_uv(@builtin(global_invocation_id) thread_59 : vec3<u32>)
+fn run_eye_iris_uv(@builtin(global_invocation_id) thread_70 : vec3<u32>)
 {
-    var _S155 : u32 = thread_59.x;
-    var start_56 : u32 = _S155 * u32(12);
-    var result_34 : vec2<f32> = skin_eye_iris_uv_0(vec3<f32>(inputs_0[start_56], inputs_0[start_56 + u32(1)], inputs_0[start_56 + u32(2)]), vec4<f32>(inputs_0[start_56 + u32(3)], inputs_0[start_56 + u32(4)], inputs_0[start_56 + u32(5)], inputs_0[start_56 + u32(6)]), inputs_0[start_56 + u32(7)], vec4<f32>(inputs_0[start_56 + u32(8)], inputs_0[start_56 + u32(9)], inputs_0[start_56 + u32(10)], inputs_0[start_56 + u32(11)]));
-    var _S156 : u32 = _S155 * u32(2);
-    outputs_0[_S156] = result_34[i32(0)];
-    outputs_0[_S156 + u32(1)] = result_34[i32(1)];
+    var _S181 : u32 = thread_70.x;
+    var start_65 : u32 = _S181 * u32(12);
+    var result_41 : vec2<f32> = skin_eye_iris_uv_0(vec3<f32>(inputs_0[start_65], inputs_0[start_65 + u32(1)], inputs_0[start_65 + u32(2)]), vec4<f32>(inputs_0[start_65 + u32(3)], inputs_0[start_65 + u32(4)], inputs_0[start_65 + u32(5)], inputs_0[start_65 + u32(6)]), inputs_0[start_65 + u32(7)], vec4<f32>(inputs_0[start_65 + u32(8)], inputs_0[start_65 + u32(9)], inputs_0[start_65 + u32(10)], inputs_0[start_65 + u32(11)]));
+    var _S182 : u32 = _S181 * u32(2);
+    outputs_0[_S182] = result_41[i32(0)];
+    outputs_0[_S182 + u32(1)] = result_41[i32(1)];
     return;
 }
 
-fn skin_eye_iris_parallax_0( hit_mm_1 : vec3<f32>,  direction_5 : vec3<f32>,  iris_normal_0 : vec3<f32>,  height_mm_0 : f32) -> vec3<f32>
+fn skin_eye_iris_parallax_0( hit_mm_1 : vec3<f32>,  direction_6 : vec3<f32>,  iris_normal_0 : vec3<f32>,  height_mm_0 : f32) -> vec3<f32>
 {
-    return hit_mm_1 - direction_5 * vec3<f32>((height_mm_0 / max(- dot(direction_5, iris_normal_0), 0.10000000149011612f)));
+    return hit_mm_1 - direction_6 * vec3<f32>((height_mm_0 / max(- dot(direction_6, iris_normal_0), 0.10000000149011612f)));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_iris_parallax(@builtin(global_invocation_id) thread_60 : vec3<u32>)
+fn run_eye_iris_parallax(@builtin(global_invocation_id) thread_71 : vec3<u32>)
 {
-    var _S157 : u32 = thread_60.x;
-    var start_57 : u32 = _S157 * u32(10);
-    var result_35 : vec3<f32> = skin_eye_iris_parallax_0(vec3<f32>(inputs_0[start_57], inputs_0[start_57 + u32(1)], inputs_0[start_57 + u32(2)]), vec3<f32>(inputs_0[start_57 + u32(3)], inputs_0[start_57 + u32(4)], inputs_0[start_57 + u32(5)]), vec3<f32>(inputs_0[start_57 + u32(6)], inputs_0[start_57 + u32(7)], inputs_0[start_57 + u32(8)]), inputs_0[start_57 + u32(9)]);
-    var _S158 : u32 = _S157 * u32(3);
-    outputs_0[_S158] = result_35[i32(0)];
-    outputs_0[_S158 + u32(1)] = result_35[i32(1)];
-    outputs_0[_S158 + u32(2)] = result_35[i32(2)];
+    var _S183 : u32 = thread_71.x;
+    var start_66 : u32 = _S183 * u32(10);
+    var result_42 : vec3<f32> = skin_eye_iris_parallax_0(vec3<f32>(inputs_0[start_66], inputs_0[start_66 + u32(1)], inputs_0[start_66 + u32(2)]), vec3<f32>(inputs_0[start_66 + u32(3)], inputs_0[start_66 + u32(4)], inputs_0[start_66 + u32(5)]), vec3<f32>(inputs_0[start_66 + u32(6)], inputs_0[start_66 + u32(7)], inputs_0[start_66 + u32(8)]), inputs_0[start_66 + u32(9)]);
+    var _S184 : u32 = _S183 * u32(3);
+    outputs_0[_S184] = result_42[i32(0)];
+    outputs_0[_S184 + u32(1)] = result_42[i32(1)];
+    outputs_0[_S184 + u32(2)] = result_42[i32(2)];
     return;
 }
 
-fn skin_eye_warped_0( cosine_2 : f32) -> f32
+fn skin_eye_warped_0( cosine_4 : f32) -> f32
 {
-    var size_1 : f32 = pow(max(abs(cosine_2), 9.99999971718068537e-10f), 0.69999998807907104f);
-    var _S159 : f32;
-    if(cosine_2 < 0.0f)
+    var size_1 : f32 = pow(max(abs(cosine_4), 9.99999971718068537e-10f), 0.69999998807907104f);
+    var _S185 : f32;
+    if(cosine_4 < 0.0f)
     {
-        _S159 = - size_1;
+        _S185 = - size_1;
     }
     else
     {
-        _S159 = size_1;
+        _S185 = size_1;
     }
-    return _S159;
+    return _S185;
 }
 
-fn skin_eye_slice_0( cosine_3 : f32) -> f32
+fn skin_eye_slice_0( cosine_5 : f32) -> f32
 {
     var least_0 : f32 = skin_eye_warped_0(-0.34202015399932861f);
-    return 15.0f * (skin_eye_warped_0(clamp(cosine_3, -0.34202015399932861f, 1.0f)) - least_0) / (1.0f - least_0);
+    return 15.0f * (skin_eye_warped_0(clamp(cosine_5, -0.34202015399932861f, 1.0f)) - least_0) / (1.0f - least_0);
 }
 
-fn skin_eye_light_0( lut_7 : texture_2d<f32>,  lut_sampler_7 : sampler,  lut_axes_6 : vec4<f32>,  hit_mm_2 : vec3<f32>,  light_9 : vec3<f32>) -> vec3<f32>
+fn skin_eye_light_0( lut_8 : texture_2d<f32>,  lut_sampler_8 : sampler,  lut_axes_7 : vec4<f32>,  hit_mm_2 : vec3<f32>,  light_10 : vec3<f32>) -> vec3<f32>
 {
-    var _S160 : vec2<f32> = light_9.xy;
-    var across_0 : f32 = sqrt(dot(_S160, _S160));
+    var _S186 : vec2<f32> = light_10.xy;
+    var across_1 : f32 = sqrt(dot(_S186, _S186));
     var turn_0 : vec2<f32>;
-    if(across_0 > 9.99999997475242708e-07f)
+    if(across_1 > 9.99999997475242708e-07f)
     {
-        turn_0 = _S160 / vec2<f32>(across_0);
+        turn_0 = _S186 / vec2<f32>(across_1);
     }
     else
     {
         turn_0 = vec2<f32>(1.0f, 0.0f);
     }
     var x_8 : f32 = dot(hit_mm_2.xy, turn_0);
-    var _S161 : f32 = turn_0.x;
-    var _S162 : f32 = turn_0.y;
-    var y_2 : f32 = hit_mm_2.y * _S161 - hit_mm_2.x * _S162;
-    var index_0 : f32 = skin_eye_slice_0(light_9.z);
-    var _S163 : f32 = min(floor(index_0), 14.0f);
-    var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes_6.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S163;
-    var _S164 : vec2<f32> = lut_axes_6.xz;
-    var _S165 : vec2<f32> = lut_axes_6.yw;
-    var first_0 : vec3<f32> = (textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(x_8, row_2) - _S164) * _S165)), (0.0f))).xyz;
-    var second_0 : vec3<f32> = (textureSampleLevel((lut_7), (lut_sampler_7), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S164) * _S165)), (0.0f))).xyz;
-    var straight_0 : f32 = 1.0f - min(across_0 / 0.50550216436386108f, 1.0f);
+    var _S187 : f32 = turn_0.x;
+    var _S188 : f32 = turn_0.y;
+    var y_2 : f32 = hit_mm_2.y * _S187 - hit_mm_2.x * _S188;
+    var index_0 : f32 = skin_eye_slice_0(light_10.z);
+    var _S189 : f32 = min(floor(index_0), 14.0f);
+    var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes_7.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S189;
+    var _S190 : vec2<f32> = lut_axes_7.xz;
+    var _S191 : vec2<f32> = lut_axes_7.yw;
+    var first_0 : vec3<f32> = (textureSampleLevel((lut_8), (lut_sampler_8), (saturate((vec2<f32>(x_8, row_2) - _S190) * _S191)), (0.0f))).xyz;
+    var second_0 : vec3<f32> = (textureSampleLevel((lut_8), (lut_sampler_8), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S190) * _S191)), (0.0f))).xyz;
+    var straight_0 : f32 = 1.0f - min(across_1 / 0.50550216436386108f, 1.0f);
     var moved_0 : f32;
-    if(_S163 > 13.5f)
+    if(_S189 > 13.5f)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S163;
+        moved_0 = index_0 - _S189;
     }
-    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S163, moved_0, moved_0));
+    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S189, moved_0, moved_0));
     var entry_y_0 : f32;
     if(y_2 < 0.0f)
     {
@@ -1866,99 +1866,99 @@ fn skin_eye_light_0( lut_7 : texture_2d<f32>,  lut_sampler_7 : sampler,  lut_axe
     {
         entry_y_0 = value_1.z;
     }
-    var _S166 : f32 = value_1.y;
-    return vec3<f32>(value_1.x, _S166 * _S161 - entry_y_0 * _S162, _S166 * _S162 + entry_y_0 * _S161);
+    var _S192 : f32 = value_1.y;
+    return vec3<f32>(value_1.x, _S192 * _S187 - entry_y_0 * _S188, _S192 * _S188 + entry_y_0 * _S187);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_light(@builtin(global_invocation_id) thread_61 : vec3<u32>)
+fn run_eye_light(@builtin(global_invocation_id) thread_72 : vec3<u32>)
 {
-    var _S167 : u32 = thread_61.x;
-    var start_58 : u32 = _S167 * u32(10);
-    var result_36 : vec3<f32> = skin_eye_light_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_58], inputs_0[start_58 + u32(1)], inputs_0[start_58 + u32(2)], inputs_0[start_58 + u32(3)]), vec3<f32>(inputs_0[start_58 + u32(4)], inputs_0[start_58 + u32(5)], inputs_0[start_58 + u32(6)]), vec3<f32>(inputs_0[start_58 + u32(7)], inputs_0[start_58 + u32(8)], inputs_0[start_58 + u32(9)]));
-    var _S168 : u32 = _S167 * u32(3);
-    outputs_0[_S168] = result_36[i32(0)];
-    outputs_0[_S168 + u32(1)] = result_36[i32(1)];
-    outputs_0[_S168 + u32(2)] = result_36[i32(2)];
+    var _S193 : u32 = thread_72.x;
+    var start_67 : u32 = _S193 * u32(10);
+    var result_43 : vec3<f32> = skin_eye_light_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_67], inputs_0[start_67 + u32(1)], inputs_0[start_67 + u32(2)], inputs_0[start_67 + u32(3)]), vec3<f32>(inputs_0[start_67 + u32(4)], inputs_0[start_67 + u32(5)], inputs_0[start_67 + u32(6)]), vec3<f32>(inputs_0[start_67 + u32(7)], inputs_0[start_67 + u32(8)], inputs_0[start_67 + u32(9)]));
+    var _S194 : u32 = _S193 * u32(3);
+    outputs_0[_S194] = result_43[i32(0)];
+    outputs_0[_S194 + u32(1)] = result_43[i32(1)];
+    outputs_0[_S194 + u32(2)] = result_43[i32(2)];
     return;
 }
 
-fn skin_eye_ambient_0( lut_8 : texture_2d<f32>,  lut_sampler_8 : sampler,  lut_axes_7 : vec4<f32>,  r_mm_2 : f32) -> vec4<f32>
+fn skin_eye_ambient_0( lut_9 : texture_2d<f32>,  lut_sampler_9 : sampler,  lut_axes_8 : vec4<f32>,  r_mm_2 : f32) -> vec4<f32>
 {
-    var _S169 : vec2<f32> = lut_axes_7.xz;
-    var _S170 : vec2<f32> = lut_axes_7.yw;
-    return vec4<f32>((textureSampleLevel((lut_8), (lut_sampler_8), (saturate((vec2<f32>(r_mm_2, 0.0f) - _S169) * _S170)), (0.0f))).xyz, (textureSampleLevel((lut_8), (lut_sampler_8), (saturate((vec2<f32>(r_mm_2, 1.0f) - _S169) * _S170)), (0.0f))).xyz.x);
+    var _S195 : vec2<f32> = lut_axes_8.xz;
+    var _S196 : vec2<f32> = lut_axes_8.yw;
+    return vec4<f32>((textureSampleLevel((lut_9), (lut_sampler_9), (saturate((vec2<f32>(r_mm_2, 0.0f) - _S195) * _S196)), (0.0f))).xyz, (textureSampleLevel((lut_9), (lut_sampler_9), (saturate((vec2<f32>(r_mm_2, 1.0f) - _S195) * _S196)), (0.0f))).xyz.x);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_ambient(@builtin(global_invocation_id) thread_62 : vec3<u32>)
+fn run_eye_ambient(@builtin(global_invocation_id) thread_73 : vec3<u32>)
 {
-    var _S171 : u32 = thread_62.x;
-    var start_59 : u32 = _S171 * u32(5);
-    var result_37 : vec4<f32> = skin_eye_ambient_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_59], inputs_0[start_59 + u32(1)], inputs_0[start_59 + u32(2)], inputs_0[start_59 + u32(3)]), inputs_0[start_59 + u32(4)]);
-    var _S172 : u32 = _S171 * u32(4);
-    outputs_0[_S172] = result_37[i32(0)];
-    outputs_0[_S172 + u32(1)] = result_37[i32(1)];
-    outputs_0[_S172 + u32(2)] = result_37[i32(2)];
-    outputs_0[_S172 + u32(3)] = result_37[i32(3)];
+    var _S197 : u32 = thread_73.x;
+    var start_68 : u32 = _S197 * u32(5);
+    var result_44 : vec4<f32> = skin_eye_ambient_0(lut_0, lut_sampler_0, vec4<f32>(inputs_0[start_68], inputs_0[start_68 + u32(1)], inputs_0[start_68 + u32(2)], inputs_0[start_68 + u32(3)]), inputs_0[start_68 + u32(4)]);
+    var _S198 : u32 = _S197 * u32(4);
+    outputs_0[_S198] = result_44[i32(0)];
+    outputs_0[_S198 + u32(1)] = result_44[i32(1)];
+    outputs_0[_S198 + u32(2)] = result_44[i32(2)];
+    outputs_0[_S198 + u32(3)] = result_44[i32(3)];
     return;
 }
 
-fn skin_dielectric_fresnel_0( cosine_4 : f32,  index_1 : f32) -> f32
+fn skin_dielectric_fresnel_0( cosine_6 : f32,  index_1 : f32) -> f32
 {
-    var c_1 : f32 = saturate(cosine_4);
-    var _S173 : f32 = index_1 * index_1;
-    var inside_0 : f32 = sqrt(max(_S173 - 1.0f + c_1 * c_1, 0.0f));
-    var s_2 : f32 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
-    var _S174 : f32 = _S173 * c_1;
-    var p_2 : f32 = (_S174 - inside_0) / max(_S174 + inside_0, 9.99999997475242708e-07f);
-    return 0.5f * (s_2 * s_2 + p_2 * p_2);
+    var c_1 : f32 = saturate(cosine_6);
+    var _S199 : f32 = index_1 * index_1;
+    var inside_0 : f32 = sqrt(max(_S199 - 1.0f + c_1 * c_1, 0.0f));
+    var s_3 : f32 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
+    var _S200 : f32 = _S199 * c_1;
+    var p_2 : f32 = (_S200 - inside_0) / max(_S200 + inside_0, 9.99999997475242708e-07f);
+    return 0.5f * (s_3 * s_3 + p_2 * p_2);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_dielectric_fresnel(@builtin(global_invocation_id) thread_63 : vec3<u32>)
+fn run_dielectric_fresnel(@builtin(global_invocation_id) thread_74 : vec3<u32>)
 {
-    var _S175 : u32 = thread_63.x;
-    var start_60 : u32 = _S175 * u32(2);
-    outputs_0[_S175] = skin_dielectric_fresnel_0(inputs_0[start_60], inputs_0[start_60 + u32(1)]);
+    var _S201 : u32 = thread_74.x;
+    var start_69 : u32 = _S201 * u32(2);
+    outputs_0[_S201] = skin_dielectric_fresnel_0(inputs_0[start_69], inputs_0[start_69 + u32(1)]);
     return;
 }
 
-fn skin_eye_inside_0( n_dot_v_5 : f32,  index_2 : f32) -> f32
+fn skin_eye_inside_0( n_dot_v_10 : f32,  index_2 : f32) -> f32
 {
-    return (1.0f - skin_dielectric_fresnel_0(n_dot_v_5, index_2)) / (index_2 * index_2);
+    return (1.0f - skin_dielectric_fresnel_0(n_dot_v_10, index_2)) / (index_2 * index_2);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_eye_inside(@builtin(global_invocation_id) thread_64 : vec3<u32>)
+fn run_eye_inside(@builtin(global_invocation_id) thread_75 : vec3<u32>)
 {
-    var _S176 : u32 = thread_64.x;
-    var start_61 : u32 = _S176 * u32(2);
-    outputs_0[_S176] = skin_eye_inside_0(inputs_0[start_61], inputs_0[start_61 + u32(1)]);
+    var _S202 : u32 = thread_75.x;
+    var start_70 : u32 = _S202 * u32(2);
+    outputs_0[_S202] = skin_eye_inside_0(inputs_0[start_70], inputs_0[start_70 + u32(1)]);
     return;
 }
 
-fn skin_lamp_highlight_0( reflected_0 : vec3<f32>,  light_10 : vec3<f32>,  lamp_0 : f32,  roughness_2 : f32) -> f32
+fn skin_lamp_highlight_0( reflected_0 : vec3<f32>,  light_11 : vec3<f32>,  lamp_0 : f32,  roughness_2 : f32) -> f32
 {
-    var apart_1 : vec3<f32> = reflected_0 - light_10;
+    var apart_1 : vec3<f32> = reflected_0 - light_11;
     var chord2_0 : f32 = dot(apart_1, apart_1);
     var wide_1 : f32 = sqrt(lamp_0 * lamp_0 + roughness_2 * roughness_2);
-    var _S177 : f32 = max(roughness_2, 0.00009999999747379f);
+    var _S203 : f32 = max(roughness_2, 0.00009999999747379f);
     var sine_1 : f32 = sin(wide_1);
-    return skin_smooth_0((wide_1 + _S177 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S177)) / (sine_1 * sine_1 + _S177 * _S177 / 5.0f);
+    return skin_smooth_0((wide_1 + _S203 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S203)) / (sine_1 * sine_1 + _S203 * _S203 / 5.0f);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_lamp_highlight(@builtin(global_invocation_id) thread_65 : vec3<u32>)
+fn run_lamp_highlight(@builtin(global_invocation_id) thread_76 : vec3<u32>)
 {
-    var _S178 : u32 = thread_65.x;
-    var start_62 : u32 = _S178 * u32(8);
-    outputs_0[_S178] = skin_lamp_highlight_0(vec3<f32>(inputs_0[start_62], inputs_0[start_62 + u32(1)], inputs_0[start_62 + u32(2)]), vec3<f32>(inputs_0[start_62 + u32(3)], inputs_0[start_62 + u32(4)], inputs_0[start_62 + u32(5)]), inputs_0[start_62 + u32(6)], inputs_0[start_62 + u32(7)]);
+    var _S204 : u32 = thread_76.x;
+    var start_71 : u32 = _S204 * u32(8);
+    outputs_0[_S204] = skin_lamp_highlight_0(vec3<f32>(inputs_0[start_71], inputs_0[start_71 + u32(1)], inputs_0[start_71 + u32(2)]), vec3<f32>(inputs_0[start_71 + u32(3)], inputs_0[start_71 + u32(4)], inputs_0[start_71 + u32(5)]), inputs_0[start_71 + u32(6)], inputs_0[start_71 + u32(7)]);
     return;
 }
 
@@ -1969,88 +1969,88 @@ fn skin_pupil_radius_0( luminance_0 : f32) -> f32
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_pupil_radius(@builtin(global_invocation_id) thread_66 : vec3<u32>)
+fn run_pupil_radius(@builtin(global_invocation_id) thread_77 : vec3<u32>)
 {
-    var _S179 : u32 = thread_66.x;
-    outputs_0[_S179] = skin_pupil_radius_0(inputs_0[_S179]);
+    var _S205 : u32 = thread_77.x;
+    outputs_0[_S205] = skin_pupil_radius_0(inputs_0[_S205]);
     return;
 }
 
 fn skin_lid_share_0( position_mm_6 : vec3<f32>,  exit_mm_0 : vec3<f32>,  penumbra_0 : f32,  ramp_0 : f32,  lid_0 : vec4<f32>) -> f32
 {
-    var _S180 : f32 = lid_0.w;
-    var _S181 : vec3<f32> = lid_0.xyz;
-    return skin_smooth_0((_S180 - dot(_S181, exit_mm_0)) / penumbra_0 + 0.5f) * saturate((_S180 - dot(_S181, position_mm_6)) / ramp_0 + 0.5f);
+    var _S206 : f32 = lid_0.w;
+    var _S207 : vec3<f32> = lid_0.xyz;
+    return skin_smooth_0((_S206 - dot(_S207, exit_mm_0)) / penumbra_0 + 0.5f) * saturate((_S206 - dot(_S207, position_mm_6)) / ramp_0 + 0.5f);
 }
 
-fn skin_lid_visibility_0( position_mm_7 : vec3<f32>,  direction_6 : vec3<f32>,  spread_0 : f32,  margin_mm_0 : f32,  upper_0 : vec4<f32>,  lower_0 : vec4<f32>,  radius_mm_3 : f32) -> f32
+fn skin_lid_visibility_0( position_mm_7 : vec3<f32>,  direction_7 : vec3<f32>,  spread_0 : f32,  margin_mm_0 : f32,  upper_0 : vec4<f32>,  lower_0 : vec4<f32>,  radius_mm_3 : f32) -> f32
 {
-    var along_0 : f32 = dot(position_mm_7, direction_6);
-    var distance_2 : f32 = sqrt(max(along_0 * along_0 + (radius_mm_3 * radius_mm_3 - dot(position_mm_7, position_mm_7)), 0.0f)) - along_0;
-    var exit_mm_1 : vec3<f32> = position_mm_7 + vec3<f32>(distance_2) * direction_6;
-    var _S182 : f32 = max(2.0f * distance_2 * spread_0, 0.00009999999747379f);
-    var _S183 : f32 = max(2.0f * margin_mm_0, 0.00009999999747379f);
-    return skin_lid_share_0(position_mm_7, exit_mm_1, _S182, _S183, upper_0) * skin_lid_share_0(position_mm_7, exit_mm_1, _S182, _S183, lower_0);
+    var along_1 : f32 = dot(position_mm_7, direction_7);
+    var distance_2 : f32 = sqrt(max(along_1 * along_1 + (radius_mm_3 * radius_mm_3 - dot(position_mm_7, position_mm_7)), 0.0f)) - along_1;
+    var exit_mm_1 : vec3<f32> = position_mm_7 + vec3<f32>(distance_2) * direction_7;
+    var _S208 : f32 = max(2.0f * distance_2 * spread_0, 0.00009999999747379f);
+    var _S209 : f32 = max(2.0f * margin_mm_0, 0.00009999999747379f);
+    return skin_lid_share_0(position_mm_7, exit_mm_1, _S208, _S209, upper_0) * skin_lid_share_0(position_mm_7, exit_mm_1, _S208, _S209, lower_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_lid_visibility(@builtin(global_invocation_id) thread_67 : vec3<u32>)
+fn run_lid_visibility(@builtin(global_invocation_id) thread_78 : vec3<u32>)
 {
-    var _S184 : u32 = thread_67.x;
-    var start_63 : u32 = _S184 * u32(17);
-    outputs_0[_S184] = skin_lid_visibility_0(vec3<f32>(inputs_0[start_63], inputs_0[start_63 + u32(1)], inputs_0[start_63 + u32(2)]), vec3<f32>(inputs_0[start_63 + u32(3)], inputs_0[start_63 + u32(4)], inputs_0[start_63 + u32(5)]), inputs_0[start_63 + u32(6)], inputs_0[start_63 + u32(7)], vec4<f32>(inputs_0[start_63 + u32(8)], inputs_0[start_63 + u32(9)], inputs_0[start_63 + u32(10)], inputs_0[start_63 + u32(11)]), vec4<f32>(inputs_0[start_63 + u32(12)], inputs_0[start_63 + u32(13)], inputs_0[start_63 + u32(14)], inputs_0[start_63 + u32(15)]), inputs_0[start_63 + u32(16)]);
+    var _S210 : u32 = thread_78.x;
+    var start_72 : u32 = _S210 * u32(17);
+    outputs_0[_S210] = skin_lid_visibility_0(vec3<f32>(inputs_0[start_72], inputs_0[start_72 + u32(1)], inputs_0[start_72 + u32(2)]), vec3<f32>(inputs_0[start_72 + u32(3)], inputs_0[start_72 + u32(4)], inputs_0[start_72 + u32(5)]), inputs_0[start_72 + u32(6)], inputs_0[start_72 + u32(7)], vec4<f32>(inputs_0[start_72 + u32(8)], inputs_0[start_72 + u32(9)], inputs_0[start_72 + u32(10)], inputs_0[start_72 + u32(11)]), vec4<f32>(inputs_0[start_72 + u32(12)], inputs_0[start_72 + u32(13)], inputs_0[start_72 + u32(14)], inputs_0[start_72 + u32(15)]), inputs_0[start_72 + u32(16)]);
     return;
 }
 
-fn skin_lid_hidden_0( position_mm_8 : vec3<f32>,  normal_12 : vec3<f32>,  lid_1 : vec4<f32>,  radius_mm_4 : f32) -> f32
+fn skin_lid_hidden_0( position_mm_8 : vec3<f32>,  normal_14 : vec3<f32>,  lid_1 : vec4<f32>,  radius_mm_4 : f32) -> f32
 {
-    var _S185 : vec3<f32> = lid_1.xyz;
-    var toward_0 : f32 = dot(_S185, normal_12);
+    var _S211 : vec3<f32> = lid_1.xyz;
+    var toward_0 : f32 = dot(_S211, normal_14);
     var tangent_0 : f32 = sqrt(max(1.0f - toward_0 * toward_0, 0.00009999999747379f));
-    var _S186 : vec3<f32> = vec3<f32>(toward_0);
-    var _S187 : vec3<f32> = vec3<f32>(tangent_0);
-    var bare_0 : f32 = lid_1.w - dot(_S185, position_mm_8);
-    var foot_0 : vec3<f32> = position_mm_8 + vec3<f32>(bare_0) * _S185;
-    var along_1 : f32 = dot(foot_0, _S187 * normal_12 - _S186 * ((_S185 - _S186 * normal_12) / _S187));
-    var radicand_1 : f32 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm_4 * radius_mm_4);
-    var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_1;
+    var _S212 : vec3<f32> = vec3<f32>(toward_0);
+    var _S213 : vec3<f32> = vec3<f32>(tangent_0);
+    var bare_0 : f32 = lid_1.w - dot(_S211, position_mm_8);
+    var foot_0 : vec3<f32> = position_mm_8 + vec3<f32>(bare_0) * _S211;
+    var along_2 : f32 = dot(foot_0, _S213 * normal_14 - _S212 * ((_S211 - _S212 * normal_14) / _S213));
+    var radicand_1 : f32 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm_4 * radius_mm_4);
+    var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_2;
     var above_0 : f32 = bare_0 * toward_0 + length_0 * tangent_0;
     var beside_0 : f32 = bare_0 * tangent_0 - length_0 * toward_0;
-    var cosine_5 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    var _S188 : bool;
+    var cosine_7 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
+    var _S214 : bool;
     if(above_0 > 0.0f)
     {
-        _S188 = radicand_1 > 0.0f;
+        _S214 = radicand_1 > 0.0f;
     }
     else
     {
-        _S188 = false;
+        _S214 = false;
     }
-    var _S189 : f32;
-    if(_S188)
+    var _S215 : f32;
+    if(_S214)
     {
-        _S189 = 0.5f * (1.0f - cosine_5);
+        _S215 = 0.5f * (1.0f - cosine_7);
     }
     else
     {
-        _S189 = 0.0f;
+        _S215 = 0.0f;
     }
-    return _S189;
+    return _S215;
 }
 
-fn skin_lid_openness_0( position_mm_9 : vec3<f32>,  normal_13 : vec3<f32>,  upper_1 : vec4<f32>,  lower_1 : vec4<f32>,  radius_mm_5 : f32) -> f32
+fn skin_lid_openness_0( position_mm_9 : vec3<f32>,  normal_15 : vec3<f32>,  upper_1 : vec4<f32>,  lower_1 : vec4<f32>,  radius_mm_5 : f32) -> f32
 {
-    return saturate(1.0f - skin_lid_hidden_0(position_mm_9, normal_13, upper_1, radius_mm_5) - skin_lid_hidden_0(position_mm_9, normal_13, lower_1, radius_mm_5));
+    return saturate(1.0f - skin_lid_hidden_0(position_mm_9, normal_15, upper_1, radius_mm_5) - skin_lid_hidden_0(position_mm_9, normal_15, lower_1, radius_mm_5));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_lid_openness(@builtin(global_invocation_id) thread_68 : vec3<u32>)
+fn run_lid_openness(@builtin(global_invocation_id) thread_79 : vec3<u32>)
 {
-    var _S190 : u32 = thread_68.x;
-    var start_64 : u32 = _S190 * u32(15);
-    outputs_0[_S190] = skin_lid_openness_0(vec3<f32>(inputs_0[start_64], inputs_0[start_64 + u32(1)], inputs_0[start_64 + u32(2)]), vec3<f32>(inputs_0[start_64 + u32(3)], inputs_0[start_64 + u32(4)], inputs_0[start_64 + u32(5)]), vec4<f32>(inputs_0[start_64 + u32(6)], inputs_0[start_64 + u32(7)], inputs_0[start_64 + u32(8)], inputs_0[start_64 + u32(9)]), vec4<f32>(inputs_0[start_64 + u32(10)], inputs_0[start_64 + u32(11)], inputs_0[start_64 + u32(12)], inputs_0[start_64 + u32(13)]), inputs_0[start_64 + u32(14)]);
+    var _S216 : u32 = thread_79.x;
+    var start_73 : u32 = _S216 * u32(15);
+    outputs_0[_S216] = skin_lid_openness_0(vec3<f32>(inputs_0[start_73], inputs_0[start_73 + u32(1)], inputs_0[start_73 + u32(2)]), vec3<f32>(inputs_0[start_73 + u32(3)], inputs_0[start_73 + u32(4)], inputs_0[start_73 + u32(5)]), vec4<f32>(inputs_0[start_73 + u32(6)], inputs_0[start_73 + u32(7)], inputs_0[start_73 + u32(8)], inputs_0[start_73 + u32(9)]), vec4<f32>(inputs_0[start_73 + u32(10)], inputs_0[start_73 + u32(11)], inputs_0[start_73 + u32(12)], inputs_0[start_73 + u32(13)]), inputs_0[start_73 + u32(14)]);
     return;
 }
 
@@ -2063,44 +2063,44 @@ fn skin_lid_iris_hidden_0( position_mm_10 : vec3<f32>,  narrowed_0 : f32,  lid_2
 
 fn skin_lid_iris_openness_0( hit_mm_3 : vec3<f32>,  cornea_6 : vec4<f32>,  limbus_5 : vec4<f32>,  upper_2 : vec4<f32>,  lower_2 : vec4<f32>) -> f32
 {
-    var _S191 : vec2<f32> = hit_mm_3.xy;
-    var _S192 : f32 = limbus_5.x;
-    var squared_0 : f32 = dot(_S191, _S191) / (_S192 * _S192);
-    var rim_0 : f32 = squared_0 * squared_0;
-    var entry_0 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S191;
-    var _S193 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
-    var position_1 : vec3<f32> = vec3<f32>(entry_0, skin_eye_height_0(sqrt(dot(entry_0, entry_0)), cornea_6, limbus_5));
-    return saturate(1.0f - skin_lid_iris_hidden_0(position_1, _S193, upper_2) - skin_lid_iris_hidden_0(position_1, _S193, lower_2));
+    var _S217 : vec2<f32> = hit_mm_3.xy;
+    var _S218 : f32 = limbus_5.x;
+    var squared_1 : f32 = dot(_S217, _S217) / (_S218 * _S218);
+    var rim_0 : f32 = squared_1 * squared_1;
+    var entry_1 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S217;
+    var _S219 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
+    var position_1 : vec3<f32> = vec3<f32>(entry_1, skin_eye_height_0(sqrt(dot(entry_1, entry_1)), cornea_6, limbus_5));
+    return saturate(1.0f - skin_lid_iris_hidden_0(position_1, _S219, upper_2) - skin_lid_iris_hidden_0(position_1, _S219, lower_2));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_lid_iris_openness(@builtin(global_invocation_id) thread_69 : vec3<u32>)
+fn run_lid_iris_openness(@builtin(global_invocation_id) thread_80 : vec3<u32>)
 {
-    var _S194 : u32 = thread_69.x;
-    var start_65 : u32 = _S194 * u32(19);
-    outputs_0[_S194] = skin_lid_iris_openness_0(vec3<f32>(inputs_0[start_65], inputs_0[start_65 + u32(1)], inputs_0[start_65 + u32(2)]), vec4<f32>(inputs_0[start_65 + u32(3)], inputs_0[start_65 + u32(4)], inputs_0[start_65 + u32(5)], inputs_0[start_65 + u32(6)]), vec4<f32>(inputs_0[start_65 + u32(7)], inputs_0[start_65 + u32(8)], inputs_0[start_65 + u32(9)], inputs_0[start_65 + u32(10)]), vec4<f32>(inputs_0[start_65 + u32(11)], inputs_0[start_65 + u32(12)], inputs_0[start_65 + u32(13)], inputs_0[start_65 + u32(14)]), vec4<f32>(inputs_0[start_65 + u32(15)], inputs_0[start_65 + u32(16)], inputs_0[start_65 + u32(17)], inputs_0[start_65 + u32(18)]));
+    var _S220 : u32 = thread_80.x;
+    var start_74 : u32 = _S220 * u32(19);
+    outputs_0[_S220] = skin_lid_iris_openness_0(vec3<f32>(inputs_0[start_74], inputs_0[start_74 + u32(1)], inputs_0[start_74 + u32(2)]), vec4<f32>(inputs_0[start_74 + u32(3)], inputs_0[start_74 + u32(4)], inputs_0[start_74 + u32(5)], inputs_0[start_74 + u32(6)]), vec4<f32>(inputs_0[start_74 + u32(7)], inputs_0[start_74 + u32(8)], inputs_0[start_74 + u32(9)], inputs_0[start_74 + u32(10)]), vec4<f32>(inputs_0[start_74 + u32(11)], inputs_0[start_74 + u32(12)], inputs_0[start_74 + u32(13)], inputs_0[start_74 + u32(14)]), vec4<f32>(inputs_0[start_74 + u32(15)], inputs_0[start_74 + u32(16)], inputs_0[start_74 + u32(17)], inputs_0[start_74 + u32(18)]));
     return;
 }
 
-fn skin_tear_normal_0( position_mm_11 : vec3<f32>,  normal_14 : vec3<f32>,  lid_3 : vec4<f32>,  height_mm_1 : f32) -> vec3<f32>
+fn skin_tear_normal_0( position_mm_11 : vec3<f32>,  normal_16 : vec3<f32>,  lid_3 : vec4<f32>,  height_mm_1 : f32) -> vec3<f32>
 {
-    var _S195 : vec3<f32> = lid_3.xyz;
-    var sine_2 : f32 = saturate(1.0f - (lid_3.w - dot(_S195, position_mm_11)) / max(height_mm_1, 0.00009999999747379f));
-    return skin_unit_vectors_0(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal_14 - vec3<f32>(sine_2) * skin_unit_vectors_0(_S195 - vec3<f32>(dot(_S195, normal_14)) * normal_14));
+    var _S221 : vec3<f32> = lid_3.xyz;
+    var sine_2 : f32 = saturate(1.0f - (lid_3.w - dot(_S221, position_mm_11)) / max(height_mm_1, 0.00009999999747379f));
+    return skin_unit_vectors_0(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal_16 - vec3<f32>(sine_2) * skin_unit_vectors_0(_S221 - vec3<f32>(dot(_S221, normal_16)) * normal_16));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn run_tear_normal(@builtin(global_invocation_id) thread_70 : vec3<u32>)
+fn run_tear_normal(@builtin(global_invocation_id) thread_81 : vec3<u32>)
 {
-    var _S196 : u32 = thread_70.x;
-    var start_66 : u32 = _S196 * u32(11);
-    var result_38 : vec3<f32> = skin_tear_normal_0(vec3<f32>(inputs_0[start_66], inputs_0[start_66 + u32(1)], inputs_0[start_66 + u32(2)]), vec3<f32>(inputs_0[start_66 + u32(3)], inputs_0[start_66 + u32(4)], inputs_0[start_66 + u32(5)]), vec4<f32>(inputs_0[start_66 + u32(6)], inputs_0[start_66 + u32(7)], inputs_0[start_66 + u32(8)], inputs_0[start_66 + u32(9)]), inputs_0[start_66 + u32(10)]);
-    var _S197 : u32 = _S196 * u32(3);
-    outputs_0[_S197] = result_38[i32(0)];
-    outputs_0[_S197 + u32(1)] = result_38[i32(1)];
-    outputs_0[_S197 + u32(2)] = result_38[i32(2)];
+    var _S222 : u32 = thread_81.x;
+    var start_75 : u32 = _S222 * u32(11);
+    var result_45 : vec3<f32> = skin_tear_normal_0(vec3<f32>(inputs_0[start_75], inputs_0[start_75 + u32(1)], inputs_0[start_75 + u32(2)]), vec3<f32>(inputs_0[start_75 + u32(3)], inputs_0[start_75 + u32(4)], inputs_0[start_75 + u32(5)]), vec4<f32>(inputs_0[start_75 + u32(6)], inputs_0[start_75 + u32(7)], inputs_0[start_75 + u32(8)], inputs_0[start_75 + u32(9)]), inputs_0[start_75 + u32(10)]);
+    var _S223 : u32 = _S222 * u32(3);
+    outputs_0[_S223] = result_45[i32(0)];
+    outputs_0[_S223 + u32(1)] = result_45[i32(1)];
+    outputs_0[_S223 + u32(2)] = result_45[i32(2)];
     return;
 }
 

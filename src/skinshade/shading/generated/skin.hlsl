@@ -478,7 +478,7 @@ float skin_second_gloss(float gloss)
     return min(2.0f * gloss, 1.0f);
 }
 
-float skin_dielectric_fresnel(float cosine, float reflectance)
+float skin_coat_fresnel(float cosine, float reflectance)
 {
     float root_1 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
     float _S18 = 1.0f - root_1;
@@ -509,7 +509,7 @@ float skin_coat_highlight(float3 normal, float3 view, float3 light, float gloss,
     }
     float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
     float _S20 = 1.0f - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
 }
 
 float2 skin_coat(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
@@ -676,25 +676,25 @@ float4 skin_eye_cornea(float cornea_radius_mm, float cornea_asphericity, float r
 {
     float r_1 = limbus.x;
     float ratio_0 = r_1 / cornea_radius_mm;
-    float _S27 = r_1 * r_1;
-    float _S28 = limbus.z;
-    return float4(skin_eye_root(_S28 * _S28 - _S27) + _S27 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
+    float _S31 = r_1 * r_1;
+    float _S32 = limbus.z;
+    return float4(skin_eye_root(_S32 * _S32 - _S31) + _S31 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
 }
 
 float2 skin_eye_conic(float r, float4 cornea)
 {
-    float _S29 = cornea.y;
-    float ratio_1 = r / _S29;
-    float root_0 = skin_eye_root(1.0f - (1.0f + cornea.z) * ratio_1 * ratio_1);
-    return float2(cornea.x - r * r / (_S29 * (1.0f + root_0)), -1.0f / (_S29 * root_0));
+    float _S33 = cornea.y;
+    float ratio_1 = r / _S33;
+    float root_3 = skin_eye_root(1.0f - (1.0f + cornea.z) * ratio_1 * ratio_1);
+    return float2(cornea.x - r * r / (_S33 * (1.0f + root_3)), -1.0f / (_S33 * root_3));
 }
 
 float2 skin_eye_profile(float r, float4 cornea, float4 limbus)
 {
-    float _S30 = limbus.x;
-    float _S31 = limbus.y;
-    float inner_0 = _S30 - _S31;
-    float outer_0 = _S30 + _S31;
+    float _S34 = limbus.x;
+    float _S35 = limbus.y;
+    float inner_0 = _S34 - _S35;
+    float outer_0 = _S34 + _S35;
     float width_0 = outer_0 - inner_0;
     if(r < inner_0)
     {
@@ -702,21 +702,21 @@ float2 skin_eye_profile(float r, float4 cornea, float4 limbus)
     }
     if(r >= outer_0)
     {
-        float _S32 = limbus.z;
-        float sphere_0 = skin_eye_root(_S32 * _S32 - r * r);
+        float _S36 = limbus.z;
+        float sphere_0 = skin_eye_root(_S36 * _S36 - r * r);
         return float2(sphere_0, -1.0f / sphere_0);
     }
     float2 start_0 = skin_eye_conic(inner_0, cornea);
-    float _S33 = limbus.z;
-    float end_0 = skin_eye_root(_S33 * _S33 - outer_0 * outer_0);
+    float _S37 = limbus.z;
+    float end_0 = skin_eye_root(_S37 * _S37 - outer_0 * outer_0);
     float m0_0 = width_0 * inner_0 * start_0.y;
     float m1_0 = - width_0 * outer_0 / end_0;
     float t_2 = (r - inner_0) / width_0;
-    float _S34 = start_0.x;
-    float rise_0 = end_0 - _S34;
+    float _S38 = start_0.x;
+    float rise_0 = end_0 - _S38;
     float c2_0 = 3.0f * rise_0 - 2.0f * m0_0 - m1_0;
     float c3_0 = m0_0 + m1_0 - 2.0f * rise_0;
-    return float2(_S34 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
+    return float2(_S38 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
 }
 
 float skin_eye_height(float r_mm, float4 cornea, float4 limbus)
@@ -726,8 +726,8 @@ float skin_eye_height(float r_mm, float4 cornea, float4 limbus)
 
 float3 skin_eye_normal(float3 position_mm, float4 cornea, float4 limbus)
 {
-    float2 _S35 = position_mm.xy;
-    float r_4 = sqrt(dot(_S35, _S35));
+    float2 _S39 = position_mm.xy;
+    float r_4 = sqrt(dot(_S39, _S39));
     float slope_over_r_0 = skin_eye_profile(r_4, cornea, limbus).y;
     bool in_front_0;
     if((position_mm.z) > 0.0f)
@@ -738,30 +738,30 @@ float3 skin_eye_normal(float3 position_mm, float4 cornea, float4 limbus)
     {
         in_front_0 = false;
     }
-    float3 normal_10 = float3(- slope_over_r_0 * _S35, 1.0f);
-    float3 _S36;
+    float3 normal_12 = float3(- slope_over_r_0 * _S39, 1.0f);
+    float3 _S40;
     if(in_front_0)
     {
-        _S36 = normal_10;
+        _S40 = normal_12;
     }
     else
     {
-        _S36 = position_mm;
+        _S40 = position_mm;
     }
-    return skin_unit_vectors(_S36);
+    return skin_unit_vectors(_S40);
 }
 
 float4 skin_eye_cornea_hit(float3 origin_mm, float3 direction, float4 cornea)
 {
     float q_1 = 1.0f + cornea.z;
-    float s_1 = cornea.x - origin_mm.z;
-    float _S37 = direction.z;
-    float2 _S38 = origin_mm.xy;
-    float _S39 = cornea.y;
-    float _S40 = q_1 * s_1;
-    float b_1 = dot(_S38, direction.xy) + _S37 * (_S39 - _S40);
-    float c_0 = dot(_S38, _S38) - 2.0f * _S39 * s_1 + _S40 * s_1;
-    float radicand_0 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S37 * _S37) * c_0;
+    float s_2 = cornea.x - origin_mm.z;
+    float _S41 = direction.z;
+    float2 _S42 = origin_mm.xy;
+    float _S43 = cornea.y;
+    float _S44 = q_1 * s_2;
+    float b_1 = dot(_S42, direction.xy) + _S41 * (_S43 - _S44);
+    float c_0 = dot(_S42, _S42) - 2.0f * _S43 * s_2 + _S44 * s_2;
+    float radicand_0 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S41 * _S41) * c_0;
     bool meets_0;
     if(radicand_0 >= 0.0f)
     {
@@ -780,7 +780,7 @@ float4 skin_eye_cornea_hit(float3 origin_mm, float3 direction, float4 cornea)
     {
         distance_0 = 0.0f;
     }
-    float3 _S41 = origin_mm + distance_0 * direction;
+    float3 _S45 = origin_mm + distance_0 * direction;
     if(meets_0)
     {
         distance_0 = 1.0f;
@@ -789,7 +789,7 @@ float4 skin_eye_cornea_hit(float3 origin_mm, float3 direction, float4 cornea)
     {
         distance_0 = 0.0f;
     }
-    return float4(_S41, distance_0);
+    return float4(_S45, distance_0);
 }
 
 float skin_smooth(float t)
@@ -800,45 +800,45 @@ float skin_smooth(float t)
 
 float skin_eye_limbal_opacity(float r_mm, float4 limbus)
 {
-    float _S42 = limbus.y;
-    return skin_smooth((r_mm - limbus.x + _S42) / (2.0f * _S42));
+    float _S46 = limbus.y;
+    return skin_smooth((r_mm - limbus.x + _S46) / (2.0f * _S46));
 }
 
 float3 skin_eye_iris_hit(float3 position_mm, float3 normal, float3 view, float4 cornea, float4 iris)
 {
     float eta_0 = 1.0f / cornea.w;
-    float _S43 = max(dot(normal, view), 0.0f);
-    float3 d_1 = (eta_0 * _S43 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S43 * _S43), 0.0f))) * normal - eta_0 * view;
+    float _S47 = max(dot(normal, view), 0.0f);
+    float3 d_1 = (eta_0 * _S47 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S47 * _S47), 0.0f))) * normal - eta_0 * view;
     float h_0 = iris.x - position_mm.z;
-    float _S44 = iris.y;
-    float m2_0 = _S44 * _S44;
-    float _S45 = d_1.z;
-    float2 _S46 = d_1.xy;
-    float a_1 = _S45 * _S45 - m2_0 * dot(_S46, _S46);
-    float2 _S47 = position_mm.xy;
-    float b_2 = h_0 * _S45 + m2_0 * dot(_S47, _S46);
-    float e_0 = h_0 * h_0 - m2_0 * dot(_S47, _S47);
-    float2 apart_0 = h_0 * _S46 + _S45 * _S47;
+    float _S48 = iris.y;
+    float m2_0 = _S48 * _S48;
+    float _S49 = d_1.z;
+    float2 _S50 = d_1.xy;
+    float a_1 = _S49 * _S49 - m2_0 * dot(_S50, _S50);
+    float2 _S51 = position_mm.xy;
+    float b_2 = h_0 * _S49 + m2_0 * dot(_S51, _S50);
+    float e_0 = h_0 * h_0 - m2_0 * dot(_S51, _S51);
+    float2 apart_0 = h_0 * _S50 + _S49 * _S51;
     float cross_product_0 = d_1.x * position_mm.y - d_1.y * position_mm.x;
-    float root_1 = abs(_S44) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
+    float root_4 = abs(_S48) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
     float distance_1;
-    if(_S44 < 0.0f)
+    if(_S48 < 0.0f)
     {
-        distance_1 = e_0 / max(b_2 + root_1, 9.99999997475242708e-07f);
+        distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07f);
     }
     else
     {
-        distance_1 = (b_2 + root_1) / max(a_1, 0.00009999999747379f);
+        distance_1 = (b_2 + root_4) / max(a_1, 0.00009999999747379f);
     }
     return position_mm + distance_1 * d_1;
 }
 
 float2 skin_eye_iris_uv(float3 hit_mm, float4 iris, float pupil_in_map, float4 iris_uv)
 {
-    float2 _S48 = hit_mm.xy;
-    float r_5 = sqrt(dot(_S48, _S48));
+    float2 _S52 = hit_mm.xy;
+    float r_5 = sqrt(dot(_S52, _S52));
     float pupil_0 = iris.w;
-    float _S49 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
+    float _S53 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
     float radius_0;
     if(r_5 < pupil_0)
     {
@@ -846,15 +846,15 @@ float2 skin_eye_iris_uv(float3 hit_mm, float4 iris, float pupil_in_map, float4 i
     }
     else
     {
-        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S49;
+        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S53;
     }
     float scale_0 = iris_uv.z * radius_0 / max(r_5, 9.99999997475242708e-07f);
     float angle_0 = 6.28318548202514648f * iris_uv.w;
-    float cosine_1 = cos(angle_0);
+    float cosine_3 = cos(angle_0);
     float sine_0 = sin(angle_0);
-    float _S50 = hit_mm.x;
-    float _S51 = hit_mm.y;
-    return float2(iris_uv.x + scale_0 * (cosine_1 * _S50 - sine_0 * _S51), iris_uv.y - scale_0 * (sine_0 * _S50 + cosine_1 * _S51));
+    float _S54 = hit_mm.x;
+    float _S55 = hit_mm.y;
+    return float2(iris_uv.x + scale_0 * (cosine_3 * _S54 - sine_0 * _S55), iris_uv.y - scale_0 * (sine_0 * _S54 + cosine_3 * _S55));
 }
 
 float3 skin_eye_iris_parallax(float3 hit_mm, float3 direction, float3 iris_normal, float height_mm)
@@ -865,16 +865,16 @@ float3 skin_eye_iris_parallax(float3 hit_mm, float3 direction, float3 iris_norma
 float skin_eye_warped(float cosine)
 {
     float size_1 = pow(max(abs(cosine), 9.99999971718068537e-10f), 0.69999998807907104f);
-    float _S52;
+    float _S56;
     if(cosine < 0.0f)
     {
-        _S52 = - size_1;
+        _S56 = - size_1;
     }
     else
     {
-        _S52 = size_1;
+        _S56 = size_1;
     }
-    return _S52;
+    return _S56;
 }
 
 float skin_eye_slice(float cosine)
@@ -885,39 +885,39 @@ float skin_eye_slice(float cosine)
 
 float3 skin_eye_light(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float3 hit_mm, float3 light)
 {
-    float2 _S53 = light.xy;
-    float across_0 = sqrt(dot(_S53, _S53));
+    float2 _S57 = light.xy;
+    float across_1 = sqrt(dot(_S57, _S57));
     float2 turn_0;
-    if(across_0 > 9.99999997475242708e-07f)
+    if(across_1 > 9.99999997475242708e-07f)
     {
-        turn_0 = _S53 / across_0;
+        turn_0 = _S57 / across_1;
     }
     else
     {
         turn_0 = float2(1.0f, 0.0f);
     }
     float x_7 = dot(hit_mm.xy, turn_0);
-    float _S54 = turn_0.x;
-    float _S55 = turn_0.y;
-    float y_2 = hit_mm.y * _S54 - hit_mm.x * _S55;
+    float _S58 = turn_0.x;
+    float _S59 = turn_0.y;
+    float y_2 = hit_mm.y * _S58 - hit_mm.x * _S59;
     float index_0 = skin_eye_slice(light.z);
-    float _S56 = min(floor(index_0), 14.0f);
-    float row_2 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S56;
-    float2 _S57 = lut_axes.xz;
-    float2 _S58 = lut_axes.yw;
-    float3 first_0 = lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2) - _S57) * _S58), 0.0f).xyz;
-    float3 second_0 = lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2 + 16.0f) - _S57) * _S58), 0.0f).xyz;
-    float straight_0 = 1.0f - min(across_0 / 0.50550216436386108f, 1.0f);
+    float _S60 = min(floor(index_0), 14.0f);
+    float row_2 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S60;
+    float2 _S61 = lut_axes.xz;
+    float2 _S62 = lut_axes.yw;
+    float3 first_0 = lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2) - _S61) * _S62), 0.0f).xyz;
+    float3 second_0 = lut.SampleLevel(lut_sampler, saturate((float2(x_7, row_2 + 16.0f) - _S61) * _S62), 0.0f).xyz;
+    float straight_0 = 1.0f - min(across_1 / 0.50550216436386108f, 1.0f);
     float moved_0;
-    if(_S56 > 13.5f)
+    if(_S60 > 13.5f)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S56;
+        moved_0 = index_0 - _S60;
     }
-    float3 value_1 = lerp(first_0, second_0, float3(index_0 - _S56, moved_0, moved_0));
+    float3 value_1 = lerp(first_0, second_0, float3(index_0 - _S60, moved_0, moved_0));
     float entry_y_0;
     if(y_2 < 0.0f)
     {
@@ -927,26 +927,26 @@ float3 skin_eye_light(Texture2D<float4 > lut, SamplerState lut_sampler, float4 l
     {
         entry_y_0 = value_1.z;
     }
-    float _S59 = value_1.y;
-    return float3(value_1.x, _S59 * _S54 - entry_y_0 * _S55, _S59 * _S55 + entry_y_0 * _S54);
+    float _S63 = value_1.y;
+    return float3(value_1.x, _S63 * _S58 - entry_y_0 * _S59, _S63 * _S59 + entry_y_0 * _S58);
 }
 
 float4 skin_eye_ambient(Texture2D<float4 > lut, SamplerState lut_sampler, float4 lut_axes, float r_mm)
 {
-    float2 _S60 = lut_axes.xz;
-    float2 _S61 = lut_axes.yw;
-    return float4(lut.SampleLevel(lut_sampler, saturate((float2(r_mm, 0.0f) - _S60) * _S61), 0.0f).xyz, lut.SampleLevel(lut_sampler, saturate((float2(r_mm, 1.0f) - _S60) * _S61), 0.0f).xyz.x);
+    float2 _S64 = lut_axes.xz;
+    float2 _S65 = lut_axes.yw;
+    return float4(lut.SampleLevel(lut_sampler, saturate((float2(r_mm, 0.0f) - _S64) * _S65), 0.0f).xyz, lut.SampleLevel(lut_sampler, saturate((float2(r_mm, 1.0f) - _S64) * _S65), 0.0f).xyz.x);
 }
 
 float skin_dielectric_fresnel(float cosine, float index)
 {
     float c_1 = saturate(cosine);
-    float _S62 = index * index;
-    float inside_0 = sqrt(max(_S62 - 1.0f + c_1 * c_1, 0.0f));
-    float s_2 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
-    float _S63 = _S62 * c_1;
-    float p_2 = (_S63 - inside_0) / max(_S63 + inside_0, 9.99999997475242708e-07f);
-    return 0.5f * (s_2 * s_2 + p_2 * p_2);
+    float _S66 = index * index;
+    float inside_0 = sqrt(max(_S66 - 1.0f + c_1 * c_1, 0.0f));
+    float s_3 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
+    float _S67 = _S66 * c_1;
+    float p_2 = (_S67 - inside_0) / max(_S67 + inside_0, 9.99999997475242708e-07f);
+    return 0.5f * (s_3 * s_3 + p_2 * p_2);
 }
 
 float skin_eye_inside(float n_dot_v, float index)
@@ -959,9 +959,9 @@ float skin_lamp_highlight(float3 reflected, float3 light, float lamp, float roug
     float3 apart_1 = reflected - light;
     float chord2_0 = dot(apart_1, apart_1);
     float wide_1 = sqrt(lamp * lamp + roughness * roughness);
-    float _S64 = max(roughness, 0.00009999999747379f);
+    float _S68 = max(roughness, 0.00009999999747379f);
     float sine_1 = sin(wide_1);
-    return skin_smooth((wide_1 + _S64 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S64)) / (sine_1 * sine_1 + _S64 * _S64 / 5.0f);
+    return skin_smooth((wide_1 + _S68 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S68)) / (sine_1 * sine_1 + _S68 * _S68 / 5.0f);
 }
 
 float skin_pupil_radius(float luminance)
@@ -971,53 +971,53 @@ float skin_pupil_radius(float luminance)
 
 float skin_lid_share(float3 position_mm, float3 exit_mm, float penumbra, float ramp, float4 lid)
 {
-    float _S65 = lid.w;
-    float3 _S66 = lid.xyz;
-    return skin_smooth((_S65 - dot(_S66, exit_mm)) / penumbra + 0.5f) * saturate((_S65 - dot(_S66, position_mm)) / ramp + 0.5f);
+    float _S69 = lid.w;
+    float3 _S70 = lid.xyz;
+    return skin_smooth((_S69 - dot(_S70, exit_mm)) / penumbra + 0.5f) * saturate((_S69 - dot(_S70, position_mm)) / ramp + 0.5f);
 }
 
 float skin_lid_visibility(float3 position_mm, float3 direction, float spread, float margin_mm, float4 upper, float4 lower, float radius_mm)
 {
-    float along_0 = dot(position_mm, direction);
-    float distance_2 = sqrt(max(along_0 * along_0 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0f)) - along_0;
+    float along_1 = dot(position_mm, direction);
+    float distance_2 = sqrt(max(along_1 * along_1 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0f)) - along_1;
     float3 exit_mm_1 = position_mm + distance_2 * direction;
-    float _S67 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
-    float _S68 = max(2.0f * margin_mm, 0.00009999999747379f);
-    return skin_lid_share(position_mm, exit_mm_1, _S67, _S68, upper) * skin_lid_share(position_mm, exit_mm_1, _S67, _S68, lower);
+    float _S71 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
+    float _S72 = max(2.0f * margin_mm, 0.00009999999747379f);
+    return skin_lid_share(position_mm, exit_mm_1, _S71, _S72, upper) * skin_lid_share(position_mm, exit_mm_1, _S71, _S72, lower);
 }
 
 float skin_lid_hidden(float3 position_mm, float3 normal, float4 lid, float radius_mm)
 {
-    float3 _S69 = lid.xyz;
-    float toward_0 = dot(_S69, normal);
+    float3 _S73 = lid.xyz;
+    float toward_0 = dot(_S73, normal);
     float tangent_0 = sqrt(max(1.0f - toward_0 * toward_0, 0.00009999999747379f));
-    float bare_0 = lid.w - dot(_S69, position_mm);
-    float3 foot_0 = position_mm + bare_0 * _S69;
-    float along_1 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S69 - toward_0 * normal) / tangent_0));
-    float radicand_1 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
-    float length_0 = sqrt(max(radicand_1, 0.0f)) - along_1;
+    float bare_0 = lid.w - dot(_S73, position_mm);
+    float3 foot_0 = position_mm + bare_0 * _S73;
+    float along_2 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S73 - toward_0 * normal) / tangent_0));
+    float radicand_1 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
+    float length_0 = sqrt(max(radicand_1, 0.0f)) - along_2;
     float above_0 = bare_0 * toward_0 + length_0 * tangent_0;
     float beside_0 = bare_0 * tangent_0 - length_0 * toward_0;
-    float cosine_5 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    bool _S70;
+    float cosine_7 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
+    bool _S74;
     if(above_0 > 0.0f)
     {
-        _S70 = radicand_1 > 0.0f;
+        _S74 = radicand_1 > 0.0f;
     }
     else
     {
-        _S70 = false;
+        _S74 = false;
     }
-    float _S71;
-    if(_S70)
+    float _S75;
+    if(_S74)
     {
-        _S71 = 0.5f * (1.0f - cosine_5);
+        _S75 = 0.5f * (1.0f - cosine_7);
     }
     else
     {
-        _S71 = 0.0f;
+        _S75 = 0.0f;
     }
-    return _S71;
+    return _S75;
 }
 
 float skin_lid_openness(float3 position_mm, float3 normal, float4 upper, float4 lower, float radius_mm)
@@ -1034,19 +1034,19 @@ float skin_lid_iris_hidden(float3 position_mm, float narrowed, float4 lid)
 
 float skin_lid_iris_openness(float3 hit_mm, float4 cornea, float4 limbus, float4 upper, float4 lower)
 {
-    float2 _S72 = hit_mm.xy;
-    float _S73 = limbus.x;
-    float squared_0 = dot(_S72, _S72) / (_S73 * _S73);
-    float rim_0 = squared_0 * squared_0;
-    float2 entry_0 = (0.82999998331069946f + 0.40999999642372131f * rim_0) * _S72;
-    float _S74 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
-    float3 position_1 = float3(entry_0, skin_eye_height(sqrt(dot(entry_0, entry_0)), cornea, limbus));
-    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S74, upper) - skin_lid_iris_hidden(position_1, _S74, lower));
+    float2 _S76 = hit_mm.xy;
+    float _S77 = limbus.x;
+    float squared_1 = dot(_S76, _S76) / (_S77 * _S77);
+    float rim_0 = squared_1 * squared_1;
+    float2 entry_1 = (0.82999998331069946f + 0.40999999642372131f * rim_0) * _S76;
+    float _S78 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
+    float3 position_1 = float3(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
+    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S78, upper) - skin_lid_iris_hidden(position_1, _S78, lower));
 }
 
 float3 skin_tear_normal(float3 position_mm, float3 normal, float4 lid, float height_mm)
 {
-    float3 _S75 = lid.xyz;
-    float sine_2 = saturate(1.0f - (lid.w - dot(_S75, position_mm)) / max(height_mm, 0.00009999999747379f));
-    return skin_unit_vectors(sqrt(max(1.0f - sine_2 * sine_2, 0.0f)) * normal - sine_2 * skin_unit_vectors(_S75 - dot(_S75, normal) * normal));
+    float3 _S79 = lid.xyz;
+    float sine_2 = saturate(1.0f - (lid.w - dot(_S79, position_mm)) / max(height_mm, 0.00009999999747379f));
+    return skin_unit_vectors(sqrt(max(1.0f - sine_2 * sine_2, 0.0f)) * normal - sine_2 * skin_unit_vectors(_S79 - dot(_S79, normal) * normal));
 }

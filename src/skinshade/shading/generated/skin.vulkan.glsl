@@ -492,7 +492,7 @@ float skin_second_gloss(float gloss)
     return min(2.0 * gloss, 1.0);
 }
 
-float skin_dielectric_fresnel(float cosine, float reflectance)
+float skin_coat_fresnel(float cosine, float reflectance)
 {
     float root_1 = sqrt(clamp(reflectance, 0.0, 0.89999997615814209));
     float _S18 = 1.0 - root_1;
@@ -523,7 +523,7 @@ float skin_coat_highlight(vec3 normal, vec3 view, vec3 light, float gloss, float
     }
     float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
     float _S20 = 1.0 - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5 / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+    return root_2 * root_2 / squared_0 * (0.5 / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
 }
 
 vec2 skin_coat(texture2D lut, sampler lut_sampler, vec4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
@@ -690,25 +690,25 @@ vec4 skin_eye_cornea(float cornea_radius_mm, float cornea_asphericity, float ref
 {
     float r_1 = limbus.x;
     float ratio_0 = r_1 / cornea_radius_mm;
-    float _S27 = r_1 * r_1;
-    float _S28 = limbus.z;
-    return vec4(skin_eye_root(_S28 * _S28 - _S27) + _S27 / (cornea_radius_mm * (1.0 + skin_eye_root(1.0 - (1.0 + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
+    float _S31 = r_1 * r_1;
+    float _S32 = limbus.z;
+    return vec4(skin_eye_root(_S32 * _S32 - _S31) + _S31 / (cornea_radius_mm * (1.0 + skin_eye_root(1.0 - (1.0 + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
 }
 
 vec2 skin_eye_conic(float r, vec4 cornea)
 {
-    float _S29 = cornea.y;
-    float ratio_1 = r / _S29;
-    float root_0 = skin_eye_root(1.0 - (1.0 + cornea.z) * ratio_1 * ratio_1);
-    return vec2(cornea.x - r * r / (_S29 * (1.0 + root_0)), -1.0 / (_S29 * root_0));
+    float _S33 = cornea.y;
+    float ratio_1 = r / _S33;
+    float root_3 = skin_eye_root(1.0 - (1.0 + cornea.z) * ratio_1 * ratio_1);
+    return vec2(cornea.x - r * r / (_S33 * (1.0 + root_3)), -1.0 / (_S33 * root_3));
 }
 
 vec2 skin_eye_profile(float r, vec4 cornea, vec4 limbus)
 {
-    float _S30 = limbus.x;
-    float _S31 = limbus.y;
-    float inner_0 = _S30 - _S31;
-    float outer_0 = _S30 + _S31;
+    float _S34 = limbus.x;
+    float _S35 = limbus.y;
+    float inner_0 = _S34 - _S35;
+    float outer_0 = _S34 + _S35;
     float width_0 = outer_0 - inner_0;
     if(r < inner_0)
     {
@@ -716,21 +716,21 @@ vec2 skin_eye_profile(float r, vec4 cornea, vec4 limbus)
     }
     if(r >= outer_0)
     {
-        float _S32 = limbus.z;
-        float sphere_0 = skin_eye_root(_S32 * _S32 - r * r);
+        float _S36 = limbus.z;
+        float sphere_0 = skin_eye_root(_S36 * _S36 - r * r);
         return vec2(sphere_0, -1.0 / sphere_0);
     }
     vec2 start_0 = skin_eye_conic(inner_0, cornea);
-    float _S33 = limbus.z;
-    float end_0 = skin_eye_root(_S33 * _S33 - outer_0 * outer_0);
+    float _S37 = limbus.z;
+    float end_0 = skin_eye_root(_S37 * _S37 - outer_0 * outer_0);
     float m0_0 = width_0 * inner_0 * start_0.y;
     float m1_0 = - width_0 * outer_0 / end_0;
     float t_2 = (r - inner_0) / width_0;
-    float _S34 = start_0.x;
-    float rise_0 = end_0 - _S34;
+    float _S38 = start_0.x;
+    float rise_0 = end_0 - _S38;
     float c2_0 = 3.0 * rise_0 - 2.0 * m0_0 - m1_0;
     float c3_0 = m0_0 + m1_0 - 2.0 * rise_0;
-    return vec2(_S34 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0 * c2_0 + t_2 * (3.0 * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07)));
+    return vec2(_S38 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0 * c2_0 + t_2 * (3.0 * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07)));
 }
 
 float skin_eye_height(float r_mm, vec4 cornea, vec4 limbus)
@@ -740,8 +740,8 @@ float skin_eye_height(float r_mm, vec4 cornea, vec4 limbus)
 
 vec3 skin_eye_normal(vec3 position_mm, vec4 cornea, vec4 limbus)
 {
-    vec2 _S35 = position_mm.xy;
-    float r_4 = sqrt(dot(_S35, _S35));
+    vec2 _S39 = position_mm.xy;
+    float r_4 = sqrt(dot(_S39, _S39));
     float slope_over_r_0 = skin_eye_profile(r_4, cornea, limbus).y;
     bool in_front_0;
     if((position_mm.z) > 0.0)
@@ -752,30 +752,30 @@ vec3 skin_eye_normal(vec3 position_mm, vec4 cornea, vec4 limbus)
     {
         in_front_0 = false;
     }
-    vec3 normal_10 = vec3(- slope_over_r_0 * _S35, 1.0);
-    vec3 _S36;
+    vec3 normal_12 = vec3(- slope_over_r_0 * _S39, 1.0);
+    vec3 _S40;
     if(in_front_0)
     {
-        _S36 = normal_10;
+        _S40 = normal_12;
     }
     else
     {
-        _S36 = position_mm;
+        _S40 = position_mm;
     }
-    return skin_unit_vectors(_S36);
+    return skin_unit_vectors(_S40);
 }
 
 vec4 skin_eye_cornea_hit(vec3 origin_mm, vec3 direction, vec4 cornea)
 {
     float q_1 = 1.0 + cornea.z;
-    float s_1 = cornea.x - origin_mm.z;
-    float _S37 = direction.z;
-    vec2 _S38 = origin_mm.xy;
-    float _S39 = cornea.y;
-    float _S40 = q_1 * s_1;
-    float b_1 = dot(_S38, direction.xy) + _S37 * (_S39 - _S40);
-    float c_0 = dot(_S38, _S38) - 2.0 * _S39 * s_1 + _S40 * s_1;
-    float radicand_0 = b_1 * b_1 - (1.0 - (1.0 - q_1) * _S37 * _S37) * c_0;
+    float s_2 = cornea.x - origin_mm.z;
+    float _S41 = direction.z;
+    vec2 _S42 = origin_mm.xy;
+    float _S43 = cornea.y;
+    float _S44 = q_1 * s_2;
+    float b_1 = dot(_S42, direction.xy) + _S41 * (_S43 - _S44);
+    float c_0 = dot(_S42, _S42) - 2.0 * _S43 * s_2 + _S44 * s_2;
+    float radicand_0 = b_1 * b_1 - (1.0 - (1.0 - q_1) * _S41 * _S41) * c_0;
     bool meets_0;
     if(radicand_0 >= 0.0)
     {
@@ -794,7 +794,7 @@ vec4 skin_eye_cornea_hit(vec3 origin_mm, vec3 direction, vec4 cornea)
     {
         distance_0 = 0.0;
     }
-    vec3 _S41 = origin_mm + distance_0 * direction;
+    vec3 _S45 = origin_mm + distance_0 * direction;
     if(meets_0)
     {
         distance_0 = 1.0;
@@ -803,56 +803,56 @@ vec4 skin_eye_cornea_hit(vec3 origin_mm, vec3 direction, vec4 cornea)
     {
         distance_0 = 0.0;
     }
-    return vec4(_S41, distance_0);
+    return vec4(_S45, distance_0);
 }
 
 float skin_smooth(float t)
 {
-    float clamped_0 = skin_saturate_1(t);
+    float clamped_0 = skin_saturate_0(t);
     return clamped_0 * clamped_0 * (3.0 - 2.0 * clamped_0);
 }
 
 float skin_eye_limbal_opacity(float r_mm, vec4 limbus)
 {
-    float _S42 = limbus.y;
-    return skin_smooth((r_mm - limbus.x + _S42) / (2.0 * _S42));
+    float _S46 = limbus.y;
+    return skin_smooth((r_mm - limbus.x + _S46) / (2.0 * _S46));
 }
 
 vec3 skin_eye_iris_hit(vec3 position_mm, vec3 normal, vec3 view, vec4 cornea, vec4 iris)
 {
     float eta_0 = 1.0 / cornea.w;
-    float _S43 = max(dot(normal, view), 0.0);
-    vec3 d_1 = (eta_0 * _S43 - sqrt(max(1.0 - eta_0 * eta_0 * (1.0 - _S43 * _S43), 0.0))) * normal - eta_0 * view;
+    float _S47 = max(dot(normal, view), 0.0);
+    vec3 d_1 = (eta_0 * _S47 - sqrt(max(1.0 - eta_0 * eta_0 * (1.0 - _S47 * _S47), 0.0))) * normal - eta_0 * view;
     float h_0 = iris.x - position_mm.z;
-    float _S44 = iris.y;
-    float m2_0 = _S44 * _S44;
-    float _S45 = d_1.z;
-    vec2 _S46 = d_1.xy;
-    float a_1 = _S45 * _S45 - m2_0 * dot(_S46, _S46);
-    vec2 _S47 = position_mm.xy;
-    float b_2 = h_0 * _S45 + m2_0 * dot(_S47, _S46);
-    float e_0 = h_0 * h_0 - m2_0 * dot(_S47, _S47);
-    vec2 apart_0 = h_0 * _S46 + _S45 * _S47;
+    float _S48 = iris.y;
+    float m2_0 = _S48 * _S48;
+    float _S49 = d_1.z;
+    vec2 _S50 = d_1.xy;
+    float a_1 = _S49 * _S49 - m2_0 * dot(_S50, _S50);
+    vec2 _S51 = position_mm.xy;
+    float b_2 = h_0 * _S49 + m2_0 * dot(_S51, _S50);
+    float e_0 = h_0 * h_0 - m2_0 * dot(_S51, _S51);
+    vec2 apart_0 = h_0 * _S50 + _S49 * _S51;
     float cross_product_0 = d_1.x * position_mm.y - d_1.y * position_mm.x;
-    float root_1 = abs(_S44) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0));
+    float root_4 = abs(_S48) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0));
     float distance_1;
-    if(_S44 < 0.0)
+    if(_S48 < 0.0)
     {
-        distance_1 = e_0 / max(b_2 + root_1, 9.99999997475242708e-07);
+        distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07);
     }
     else
     {
-        distance_1 = (b_2 + root_1) / max(a_1, 0.00009999999747379);
+        distance_1 = (b_2 + root_4) / max(a_1, 0.00009999999747379);
     }
     return position_mm + distance_1 * d_1;
 }
 
 vec2 skin_eye_iris_uv(vec3 hit_mm, vec4 iris, float pupil_in_map, vec4 iris_uv)
 {
-    vec2 _S48 = hit_mm.xy;
-    float r_5 = sqrt(dot(_S48, _S48));
+    vec2 _S52 = hit_mm.xy;
+    float r_5 = sqrt(dot(_S52, _S52));
     float pupil_0 = iris.w;
-    float _S49 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07), 1.0);
+    float _S53 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07), 1.0);
     float radius_0;
     if(r_5 < pupil_0)
     {
@@ -860,15 +860,15 @@ vec2 skin_eye_iris_uv(vec3 hit_mm, vec4 iris, float pupil_in_map, vec4 iris_uv)
     }
     else
     {
-        radius_0 = pupil_in_map + (1.0 - pupil_in_map) * _S49;
+        radius_0 = pupil_in_map + (1.0 - pupil_in_map) * _S53;
     }
     float scale_0 = iris_uv.z * radius_0 / max(r_5, 9.99999997475242708e-07);
     float angle_0 = 6.28318548202514648 * iris_uv.w;
-    float cosine_1 = cos(angle_0);
+    float cosine_3 = cos(angle_0);
     float sine_0 = sin(angle_0);
-    float _S50 = hit_mm.x;
-    float _S51 = hit_mm.y;
-    return vec2(iris_uv.x + scale_0 * (cosine_1 * _S50 - sine_0 * _S51), iris_uv.y - scale_0 * (sine_0 * _S50 + cosine_1 * _S51));
+    float _S54 = hit_mm.x;
+    float _S55 = hit_mm.y;
+    return vec2(iris_uv.x + scale_0 * (cosine_3 * _S54 - sine_0 * _S55), iris_uv.y - scale_0 * (sine_0 * _S54 + cosine_3 * _S55));
 }
 
 vec3 skin_eye_iris_parallax(vec3 hit_mm, vec3 direction, vec3 iris_normal, float height_mm)
@@ -879,16 +879,16 @@ vec3 skin_eye_iris_parallax(vec3 hit_mm, vec3 direction, vec3 iris_normal, float
 float skin_eye_warped(float cosine)
 {
     float size_1 = pow(max(abs(cosine), 9.99999971718068537e-10), 0.69999998807907104);
-    float _S52;
+    float _S56;
     if(cosine < 0.0)
     {
-        _S52 = - size_1;
+        _S56 = - size_1;
     }
     else
     {
-        _S52 = size_1;
+        _S56 = size_1;
     }
-    return _S52;
+    return _S56;
 }
 
 float skin_eye_slice(float cosine)
@@ -899,39 +899,39 @@ float skin_eye_slice(float cosine)
 
 vec3 skin_eye_light(texture2D lut, sampler lut_sampler, vec4 lut_axes, vec3 hit_mm, vec3 light)
 {
-    vec2 _S53 = light.xy;
-    float across_0 = sqrt(dot(_S53, _S53));
+    vec2 _S57 = light.xy;
+    float across_1 = sqrt(dot(_S57, _S57));
     vec2 turn_0;
-    if(across_0 > 9.99999997475242708e-07)
+    if(across_1 > 9.99999997475242708e-07)
     {
-        turn_0 = _S53 / across_0;
+        turn_0 = _S57 / across_1;
     }
     else
     {
         turn_0 = vec2(1.0, 0.0);
     }
     float x_10 = dot(hit_mm.xy, turn_0);
-    float _S54 = turn_0.x;
-    float _S55 = turn_0.y;
-    float y_2 = hit_mm.y * _S54 - hit_mm.x * _S55;
+    float _S58 = turn_0.x;
+    float _S59 = turn_0.y;
+    float y_2 = hit_mm.y * _S58 - hit_mm.x * _S59;
     float index_0 = skin_eye_slice(light.z);
-    float _S56 = min(floor(index_0), 14.0);
-    float row_2 = 0.5 + 15.0 * min(abs(y_2) / (- lut_axes.x * 31.0 / 32.0), 1.0) + 16.0 * _S56;
-    vec2 _S57 = lut_axes.xz;
-    vec2 _S58 = lut_axes.yw;
-    vec3 first_0 = (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(x_10, row_2) - _S57) * _S58)), (0.0))).xyz;
-    vec3 second_0 = (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(x_10, row_2 + 16.0) - _S57) * _S58)), (0.0))).xyz;
-    float straight_0 = 1.0 - min(across_0 / 0.50550216436386108, 1.0);
+    float _S60 = min(floor(index_0), 14.0);
+    float row_2 = 0.5 + 15.0 * min(abs(y_2) / (- lut_axes.x * 31.0 / 32.0), 1.0) + 16.0 * _S60;
+    vec2 _S61 = lut_axes.xz;
+    vec2 _S62 = lut_axes.yw;
+    vec3 first_0 = (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(x_10, row_2) - _S61) * _S62)), (0.0))).xyz;
+    vec3 second_0 = (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(x_10, row_2 + 16.0) - _S61) * _S62)), (0.0))).xyz;
+    float straight_0 = 1.0 - min(across_1 / 0.50550216436386108, 1.0);
     float moved_0;
-    if(_S56 > 13.5)
+    if(_S60 > 13.5)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S56;
+        moved_0 = index_0 - _S60;
     }
-    vec3 value_1 = mix(first_0, second_0, vec3(index_0 - _S56, moved_0, moved_0));
+    vec3 value_1 = mix(first_0, second_0, vec3(index_0 - _S60, moved_0, moved_0));
     float entry_y_0;
     if(y_2 < 0.0)
     {
@@ -941,26 +941,26 @@ vec3 skin_eye_light(texture2D lut, sampler lut_sampler, vec4 lut_axes, vec3 hit_
     {
         entry_y_0 = value_1.z;
     }
-    float _S59 = value_1.y;
-    return vec3(value_1.x, _S59 * _S54 - entry_y_0 * _S55, _S59 * _S55 + entry_y_0 * _S54);
+    float _S63 = value_1.y;
+    return vec3(value_1.x, _S63 * _S58 - entry_y_0 * _S59, _S63 * _S59 + entry_y_0 * _S58);
 }
 
 vec4 skin_eye_ambient(texture2D lut, sampler lut_sampler, vec4 lut_axes, float r_mm)
 {
-    vec2 _S60 = lut_axes.xz;
-    vec2 _S61 = lut_axes.yw;
-    return vec4((textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(r_mm, 0.0) - _S60) * _S61)), (0.0))).xyz, (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(r_mm, 1.0) - _S60) * _S61)), (0.0))).xyz.x);
+    vec2 _S64 = lut_axes.xz;
+    vec2 _S65 = lut_axes.yw;
+    return vec4((textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(r_mm, 0.0) - _S64) * _S65)), (0.0))).xyz, (textureLod(sampler2D(lut,lut_sampler), (skin_saturate_2((vec2(r_mm, 1.0) - _S64) * _S65)), (0.0))).xyz.x);
 }
 
 float skin_dielectric_fresnel(float cosine, float index)
 {
-    float c_1 = skin_saturate_1(cosine);
-    float _S62 = index * index;
-    float inside_0 = sqrt(max(_S62 - 1.0 + c_1 * c_1, 0.0));
-    float s_2 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07);
-    float _S63 = _S62 * c_1;
-    float p_2 = (_S63 - inside_0) / max(_S63 + inside_0, 9.99999997475242708e-07);
-    return 0.5 * (s_2 * s_2 + p_2 * p_2);
+    float c_1 = skin_saturate_0(cosine);
+    float _S66 = index * index;
+    float inside_0 = sqrt(max(_S66 - 1.0 + c_1 * c_1, 0.0));
+    float s_3 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07);
+    float _S67 = _S66 * c_1;
+    float p_2 = (_S67 - inside_0) / max(_S67 + inside_0, 9.99999997475242708e-07);
+    return 0.5 * (s_3 * s_3 + p_2 * p_2);
 }
 
 float skin_eye_inside(float n_dot_v, float index)
@@ -973,9 +973,9 @@ float skin_lamp_highlight(vec3 reflected, vec3 light, float lamp, float roughnes
     vec3 apart_1 = reflected - light;
     float chord2_0 = dot(apart_1, apart_1);
     float wide_1 = sqrt(lamp * lamp + roughness * roughness);
-    float _S64 = max(roughness, 0.00009999999747379);
+    float _S68 = max(roughness, 0.00009999999747379);
     float sine_1 = sin(wide_1);
-    return skin_smooth((wide_1 + _S64 - sqrt(chord2_0) * (1.0 + chord2_0 * (0.0416666679084301 + chord2_0 * 0.00468750018626451))) / (2.0 * _S64)) / (sine_1 * sine_1 + _S64 * _S64 / 5.0);
+    return skin_smooth((wide_1 + _S68 - sqrt(chord2_0) * (1.0 + chord2_0 * (0.0416666679084301 + chord2_0 * 0.00468750018626451))) / (2.0 * _S68)) / (sine_1 * sine_1 + _S68 * _S68 / 5.0);
 }
 
 float skin_pupil_radius(float luminance)
@@ -985,58 +985,58 @@ float skin_pupil_radius(float luminance)
 
 float skin_lid_share(vec3 position_mm, vec3 exit_mm, float penumbra, float ramp, vec4 lid)
 {
-    float _S65 = lid.w;
-    vec3 _S66 = lid.xyz;
-    return skin_smooth((_S65 - dot(_S66, exit_mm)) / penumbra + 0.5) * skin_saturate_1((_S65 - dot(_S66, position_mm)) / ramp + 0.5);
+    float _S69 = lid.w;
+    vec3 _S70 = lid.xyz;
+    return skin_smooth((_S69 - dot(_S70, exit_mm)) / penumbra + 0.5) * skin_saturate_0((_S69 - dot(_S70, position_mm)) / ramp + 0.5);
 }
 
 float skin_lid_visibility(vec3 position_mm, vec3 direction, float spread, float margin_mm, vec4 upper, vec4 lower, float radius_mm)
 {
-    float along_0 = dot(position_mm, direction);
-    float distance_2 = sqrt(max(along_0 * along_0 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0)) - along_0;
+    float along_1 = dot(position_mm, direction);
+    float distance_2 = sqrt(max(along_1 * along_1 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0)) - along_1;
     vec3 exit_mm_1 = position_mm + distance_2 * direction;
-    float _S67 = max(2.0 * distance_2 * spread, 0.00009999999747379);
-    float _S68 = max(2.0 * margin_mm, 0.00009999999747379);
-    return skin_lid_share(position_mm, exit_mm_1, _S67, _S68, upper) * skin_lid_share(position_mm, exit_mm_1, _S67, _S68, lower);
+    float _S71 = max(2.0 * distance_2 * spread, 0.00009999999747379);
+    float _S72 = max(2.0 * margin_mm, 0.00009999999747379);
+    return skin_lid_share(position_mm, exit_mm_1, _S71, _S72, upper) * skin_lid_share(position_mm, exit_mm_1, _S71, _S72, lower);
 }
 
 float skin_lid_hidden(vec3 position_mm, vec3 normal, vec4 lid, float radius_mm)
 {
-    vec3 _S69 = lid.xyz;
-    float toward_0 = dot(_S69, normal);
+    vec3 _S73 = lid.xyz;
+    float toward_0 = dot(_S73, normal);
     float tangent_0 = sqrt(max(1.0 - toward_0 * toward_0, 0.00009999999747379));
-    float bare_0 = lid.w - dot(_S69, position_mm);
-    vec3 foot_0 = position_mm + bare_0 * _S69;
-    float along_1 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S69 - toward_0 * normal) / tangent_0));
-    float radicand_1 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
-    float length_0 = sqrt(max(radicand_1, 0.0)) - along_1;
+    float bare_0 = lid.w - dot(_S73, position_mm);
+    vec3 foot_0 = position_mm + bare_0 * _S73;
+    float along_2 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S73 - toward_0 * normal) / tangent_0));
+    float radicand_1 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
+    float length_0 = sqrt(max(radicand_1, 0.0)) - along_2;
     float above_0 = bare_0 * toward_0 + length_0 * tangent_0;
     float beside_0 = bare_0 * tangent_0 - length_0 * toward_0;
-    float cosine_5 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379);
-    bool _S70;
+    float cosine_7 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379);
+    bool _S74;
     if(above_0 > 0.0)
     {
-        _S70 = radicand_1 > 0.0;
+        _S74 = radicand_1 > 0.0;
     }
     else
     {
-        _S70 = false;
+        _S74 = false;
     }
-    float _S71;
-    if(_S70)
+    float _S75;
+    if(_S74)
     {
-        _S71 = 0.5 * (1.0 - cosine_5);
+        _S75 = 0.5 * (1.0 - cosine_7);
     }
     else
     {
-        _S71 = 0.0;
+        _S75 = 0.0;
     }
-    return _S71;
+    return _S75;
 }
 
 float skin_lid_openness(vec3 position_mm, vec3 normal, vec4 upper, vec4 lower, float radius_mm)
 {
-    return skin_saturate_1(1.0 - skin_lid_hidden(position_mm, normal, upper, radius_mm) - skin_lid_hidden(position_mm, normal, lower, radius_mm));
+    return skin_saturate_0(1.0 - skin_lid_hidden(position_mm, normal, upper, radius_mm) - skin_lid_hidden(position_mm, normal, lower, radius_mm));
 }
 
 float skin_lid_iris_hidden(vec3 position_mm, float narrowed, vec4 lid)
@@ -1048,19 +1048,19 @@ float skin_lid_iris_hidden(vec3 position_mm, float narrowed, vec4 lid)
 
 float skin_lid_iris_openness(vec3 hit_mm, vec4 cornea, vec4 limbus, vec4 upper, vec4 lower)
 {
-    vec2 _S72 = hit_mm.xy;
-    float _S73 = limbus.x;
-    float squared_0 = dot(_S72, _S72) / (_S73 * _S73);
-    float rim_0 = squared_0 * squared_0;
-    vec2 entry_0 = (0.82999998331069946 + 0.40999999642372131 * rim_0) * _S72;
-    float _S74 = max(1.0 - 1.12000000476837158 * rim_0, 0.05000000074505806);
-    vec3 position_1 = vec3(entry_0, skin_eye_height(sqrt(dot(entry_0, entry_0)), cornea, limbus));
-    return skin_saturate_1(1.0 - skin_lid_iris_hidden(position_1, _S74, upper) - skin_lid_iris_hidden(position_1, _S74, lower));
+    vec2 _S76 = hit_mm.xy;
+    float _S77 = limbus.x;
+    float squared_1 = dot(_S76, _S76) / (_S77 * _S77);
+    float rim_0 = squared_1 * squared_1;
+    vec2 entry_1 = (0.82999998331069946 + 0.40999999642372131 * rim_0) * _S76;
+    float _S78 = max(1.0 - 1.12000000476837158 * rim_0, 0.05000000074505806);
+    vec3 position_1 = vec3(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
+    return skin_saturate_0(1.0 - skin_lid_iris_hidden(position_1, _S78, upper) - skin_lid_iris_hidden(position_1, _S78, lower));
 }
 
 vec3 skin_tear_normal(vec3 position_mm, vec3 normal, vec4 lid, float height_mm)
 {
-    vec3 _S75 = lid.xyz;
-    float sine_2 = skin_saturate_1(1.0 - (lid.w - dot(_S75, position_mm)) / max(height_mm, 0.00009999999747379));
-    return skin_unit_vectors(sqrt(max(1.0 - sine_2 * sine_2, 0.0)) * normal - sine_2 * skin_unit_vectors(_S75 - dot(_S75, normal) * normal));
+    vec3 _S79 = lid.xyz;
+    float sine_2 = skin_saturate_0(1.0 - (lid.w - dot(_S79, position_mm)) / max(height_mm, 0.00009999999747379));
+    return skin_unit_vectors(sqrt(max(1.0 - sine_2 * sine_2, 0.0)) * normal - sine_2 * skin_unit_vectors(_S79 - dot(_S79, normal) * normal));
 }

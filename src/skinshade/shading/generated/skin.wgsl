@@ -491,7 +491,7 @@ fn skin_second_gloss(gloss : f32) -> f32
     return min(2.0f * gloss, 1.0f);
 }
 
-fn skin_dielectric_fresnel(cosine : f32, reflectance : f32) -> f32
+fn skin_coat_fresnel(cosine : f32, reflectance : f32) -> f32
 {
     var root_1 : f32 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
     var _S26 : f32 = 1.0f - root_1;
@@ -522,7 +522,7 @@ fn skin_coat_highlight(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, 
     }
     var root_2 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
     var _S28 : f32 = 1.0f - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S28 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S28 + squared_0))) * skin_dielectric_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S28 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S28 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
 }
 
 fn skin_coat(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, n_dot_v : f32, gloss : f32, reflectance : f32, coat_reflectance : f32) -> vec2<f32>
@@ -683,25 +683,25 @@ fn skin_eye_cornea(cornea_radius_mm : f32, cornea_asphericity : f32, refraction_
 {
     var r_1 : f32 = limbus.x;
     var ratio_0 : f32 = r_1 / cornea_radius_mm;
-    var _S31 : f32 = r_1 * r_1;
-    var _S32 : f32 = limbus.z;
-    return vec4<f32>(skin_eye_root(_S32 * _S32 - _S31) + _S31 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
+    var _S39 : f32 = r_1 * r_1;
+    var _S40 : f32 = limbus.z;
+    return vec4<f32>(skin_eye_root(_S40 * _S40 - _S39) + _S39 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
 }
 
 fn skin_eye_conic(r : f32, cornea : vec4<f32>) -> vec2<f32>
 {
-    var _S33 : f32 = cornea.y;
-    var ratio_1 : f32 = r / _S33;
-    var root_0 : f32 = skin_eye_root(1.0f - (1.0f + cornea.z) * ratio_1 * ratio_1);
-    return vec2<f32>(cornea.x - r * r / (_S33 * (1.0f + root_0)), -1.0f / (_S33 * root_0));
+    var _S41 : f32 = cornea.y;
+    var ratio_1 : f32 = r / _S41;
+    var root_3 : f32 = skin_eye_root(1.0f - (1.0f + cornea.z) * ratio_1 * ratio_1);
+    return vec2<f32>(cornea.x - r * r / (_S41 * (1.0f + root_3)), -1.0f / (_S41 * root_3));
 }
 
 fn skin_eye_profile(r : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> vec2<f32>
 {
-    var _S34 : f32 = limbus.x;
-    var _S35 : f32 = limbus.y;
-    var inner_0 : f32 = _S34 - _S35;
-    var outer_0 : f32 = _S34 + _S35;
+    var _S42 : f32 = limbus.x;
+    var _S43 : f32 = limbus.y;
+    var inner_0 : f32 = _S42 - _S43;
+    var outer_0 : f32 = _S42 + _S43;
     var width_0 : f32 = outer_0 - inner_0;
     if(r < inner_0)
     {
@@ -709,21 +709,21 @@ fn skin_eye_profile(r : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> vec2<f32
     }
     if(r >= outer_0)
     {
-        var _S36 : f32 = limbus.z;
-        var sphere_0 : f32 = skin_eye_root(_S36 * _S36 - r * r);
+        var _S44 : f32 = limbus.z;
+        var sphere_0 : f32 = skin_eye_root(_S44 * _S44 - r * r);
         return vec2<f32>(sphere_0, -1.0f / sphere_0);
     }
     var start_0 : vec2<f32> = skin_eye_conic(inner_0, cornea);
-    var _S37 : f32 = limbus.z;
-    var end_0 : f32 = skin_eye_root(_S37 * _S37 - outer_0 * outer_0);
+    var _S45 : f32 = limbus.z;
+    var end_0 : f32 = skin_eye_root(_S45 * _S45 - outer_0 * outer_0);
     var m0_0 : f32 = width_0 * inner_0 * start_0.y;
     var m1_0 : f32 = - width_0 * outer_0 / end_0;
     var t_2 : f32 = (r - inner_0) / width_0;
-    var _S38 : f32 = start_0.x;
-    var rise_0 : f32 = end_0 - _S38;
+    var _S46 : f32 = start_0.x;
+    var rise_0 : f32 = end_0 - _S46;
     var c2_0 : f32 = 3.0f * rise_0 - 2.0f * m0_0 - m1_0;
     var c3_0 : f32 = m0_0 + m1_0 - 2.0f * rise_0;
-    return vec2<f32>(_S38 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
+    return vec2<f32>(_S46 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
 }
 
 fn skin_eye_height(r_mm : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> f32
@@ -733,8 +733,8 @@ fn skin_eye_height(r_mm : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> f32
 
 fn skin_eye_normal(position_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f32>) -> vec3<f32>
 {
-    var _S39 : vec2<f32> = position_mm.xy;
-    var r_4 : f32 = sqrt(dot(_S39, _S39));
+    var _S47 : vec2<f32> = position_mm.xy;
+    var r_4 : f32 = sqrt(dot(_S47, _S47));
     var slope_over_r_0 : f32 = skin_eye_profile(r_4, cornea, limbus).y;
     var in_front_0 : bool;
     if((position_mm.z) > 0.0f)
@@ -745,30 +745,30 @@ fn skin_eye_normal(position_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f3
     {
         in_front_0 = false;
     }
-    var normal_10 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S39, 1.0f);
-    var _S40 : vec3<f32>;
+    var normal_12 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S47, 1.0f);
+    var _S48 : vec3<f32>;
     if(in_front_0)
     {
-        _S40 = normal_10;
+        _S48 = normal_12;
     }
     else
     {
-        _S40 = position_mm;
+        _S48 = position_mm;
     }
-    return skin_unit_vectors(_S40);
+    return skin_unit_vectors(_S48);
 }
 
 fn skin_eye_cornea_hit(origin_mm : vec3<f32>, direction : vec3<f32>, cornea : vec4<f32>) -> vec4<f32>
 {
     var q_1 : f32 = 1.0f + cornea.z;
-    var s_1 : f32 = cornea.x - origin_mm.z;
-    var _S41 : f32 = direction.z;
-    var _S42 : vec2<f32> = origin_mm.xy;
-    var _S43 : f32 = cornea.y;
-    var _S44 : f32 = q_1 * s_1;
-    var b_1 : f32 = dot(_S42, direction.xy) + _S41 * (_S43 - _S44);
-    var c_0 : f32 = dot(_S42, _S42) - 2.0f * _S43 * s_1 + _S44 * s_1;
-    var radicand_0 : f32 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S41 * _S41) * c_0;
+    var s_2 : f32 = cornea.x - origin_mm.z;
+    var _S49 : f32 = direction.z;
+    var _S50 : vec2<f32> = origin_mm.xy;
+    var _S51 : f32 = cornea.y;
+    var _S52 : f32 = q_1 * s_2;
+    var b_1 : f32 = dot(_S50, direction.xy) + _S49 * (_S51 - _S52);
+    var c_0 : f32 = dot(_S50, _S50) - 2.0f * _S51 * s_2 + _S52 * s_2;
+    var radicand_0 : f32 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S49 * _S49) * c_0;
     var meets_0 : bool;
     if(radicand_0 >= 0.0f)
     {
@@ -787,7 +787,7 @@ fn skin_eye_cornea_hit(origin_mm : vec3<f32>, direction : vec3<f32>, cornea : ve
     {
         distance_0 = 0.0f;
     }
-    var _S45 : vec3<f32> = origin_mm + vec3<f32>(distance_0) * direction;
+    var _S53 : vec3<f32> = origin_mm + vec3<f32>(distance_0) * direction;
     if(meets_0)
     {
         distance_0 = 1.0f;
@@ -796,7 +796,7 @@ fn skin_eye_cornea_hit(origin_mm : vec3<f32>, direction : vec3<f32>, cornea : ve
     {
         distance_0 = 0.0f;
     }
-    return vec4<f32>(_S45, distance_0);
+    return vec4<f32>(_S53, distance_0);
 }
 
 fn skin_smooth(t : f32) -> f32
@@ -807,45 +807,45 @@ fn skin_smooth(t : f32) -> f32
 
 fn skin_eye_limbal_opacity(r_mm : f32, limbus : vec4<f32>) -> f32
 {
-    var _S46 : f32 = limbus.y;
-    return skin_smooth((r_mm - limbus.x + _S46) / (2.0f * _S46));
+    var _S54 : f32 = limbus.y;
+    return skin_smooth((r_mm - limbus.x + _S54) / (2.0f * _S54));
 }
 
 fn skin_eye_iris_hit(position_mm : vec3<f32>, normal : vec3<f32>, view : vec3<f32>, cornea : vec4<f32>, iris : vec4<f32>) -> vec3<f32>
 {
     var eta_0 : f32 = 1.0f / cornea.w;
-    var _S47 : f32 = max(dot(normal, view), 0.0f);
-    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S47 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S47 * _S47), 0.0f)))) * normal - vec3<f32>(eta_0) * view;
+    var _S55 : f32 = max(dot(normal, view), 0.0f);
+    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S55 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S55 * _S55), 0.0f)))) * normal - vec3<f32>(eta_0) * view;
     var h_0 : f32 = iris.x - position_mm.z;
-    var _S48 : f32 = iris.y;
-    var m2_0 : f32 = _S48 * _S48;
-    var _S49 : f32 = d_1.z;
-    var _S50 : vec2<f32> = d_1.xy;
-    var a_1 : f32 = _S49 * _S49 - m2_0 * dot(_S50, _S50);
-    var _S51 : vec2<f32> = position_mm.xy;
-    var b_2 : f32 = h_0 * _S49 + m2_0 * dot(_S51, _S50);
-    var e_0 : f32 = h_0 * h_0 - m2_0 * dot(_S51, _S51);
-    var apart_0 : vec2<f32> = vec2<f32>(h_0) * _S50 + vec2<f32>(_S49) * _S51;
+    var _S56 : f32 = iris.y;
+    var m2_0 : f32 = _S56 * _S56;
+    var _S57 : f32 = d_1.z;
+    var _S58 : vec2<f32> = d_1.xy;
+    var a_1 : f32 = _S57 * _S57 - m2_0 * dot(_S58, _S58);
+    var _S59 : vec2<f32> = position_mm.xy;
+    var b_2 : f32 = h_0 * _S57 + m2_0 * dot(_S59, _S58);
+    var e_0 : f32 = h_0 * h_0 - m2_0 * dot(_S59, _S59);
+    var apart_0 : vec2<f32> = vec2<f32>(h_0) * _S58 + vec2<f32>(_S57) * _S59;
     var cross_product_0 : f32 = d_1.x * position_mm.y - d_1.y * position_mm.x;
-    var root_1 : f32 = abs(_S48) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
+    var root_4 : f32 = abs(_S56) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
     var distance_1 : f32;
-    if(_S48 < 0.0f)
+    if(_S56 < 0.0f)
     {
-        distance_1 = e_0 / max(b_2 + root_1, 9.99999997475242708e-07f);
+        distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07f);
     }
     else
     {
-        distance_1 = (b_2 + root_1) / max(a_1, 0.00009999999747379f);
+        distance_1 = (b_2 + root_4) / max(a_1, 0.00009999999747379f);
     }
     return position_mm + vec3<f32>(distance_1) * d_1;
 }
 
 fn skin_eye_iris_uv(hit_mm : vec3<f32>, iris : vec4<f32>, pupil_in_map : f32, iris_uv : vec4<f32>) -> vec2<f32>
 {
-    var _S52 : vec2<f32> = hit_mm.xy;
-    var r_5 : f32 = sqrt(dot(_S52, _S52));
+    var _S60 : vec2<f32> = hit_mm.xy;
+    var r_5 : f32 = sqrt(dot(_S60, _S60));
     var pupil_0 : f32 = iris.w;
-    var _S53 : f32 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
+    var _S61 : f32 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
     var radius_0 : f32;
     if(r_5 < pupil_0)
     {
@@ -853,15 +853,15 @@ fn skin_eye_iris_uv(hit_mm : vec3<f32>, iris : vec4<f32>, pupil_in_map : f32, ir
     }
     else
     {
-        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S53;
+        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S61;
     }
     var scale_0 : f32 = iris_uv.z * radius_0 / max(r_5, 9.99999997475242708e-07f);
     var angle_0 : f32 = 6.28318548202514648f * iris_uv.w;
-    var cosine_1 : f32 = cos(angle_0);
+    var cosine_3 : f32 = cos(angle_0);
     var sine_0 : f32 = sin(angle_0);
-    var _S54 : f32 = hit_mm.x;
-    var _S55 : f32 = hit_mm.y;
-    return vec2<f32>(iris_uv.x + scale_0 * (cosine_1 * _S54 - sine_0 * _S55), iris_uv.y - scale_0 * (sine_0 * _S54 + cosine_1 * _S55));
+    var _S62 : f32 = hit_mm.x;
+    var _S63 : f32 = hit_mm.y;
+    return vec2<f32>(iris_uv.x + scale_0 * (cosine_3 * _S62 - sine_0 * _S63), iris_uv.y - scale_0 * (sine_0 * _S62 + cosine_3 * _S63));
 }
 
 fn skin_eye_iris_parallax(hit_mm : vec3<f32>, direction : vec3<f32>, iris_normal : vec3<f32>, height_mm : f32) -> vec3<f32>
@@ -872,16 +872,16 @@ fn skin_eye_iris_parallax(hit_mm : vec3<f32>, direction : vec3<f32>, iris_normal
 fn skin_eye_warped(cosine : f32) -> f32
 {
     var size_1 : f32 = pow(max(abs(cosine), 9.99999971718068537e-10f), 0.69999998807907104f);
-    var _S56 : f32;
+    var _S64 : f32;
     if(cosine < 0.0f)
     {
-        _S56 = - size_1;
+        _S64 = - size_1;
     }
     else
     {
-        _S56 = size_1;
+        _S64 = size_1;
     }
-    return _S56;
+    return _S64;
 }
 
 fn skin_eye_slice(cosine : f32) -> f32
@@ -892,39 +892,39 @@ fn skin_eye_slice(cosine : f32) -> f32
 
 fn skin_eye_light(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, hit_mm : vec3<f32>, light : vec3<f32>) -> vec3<f32>
 {
-    var _S57 : vec2<f32> = light.xy;
-    var across_0 : f32 = sqrt(dot(_S57, _S57));
+    var _S65 : vec2<f32> = light.xy;
+    var across_1 : f32 = sqrt(dot(_S65, _S65));
     var turn_0 : vec2<f32>;
-    if(across_0 > 9.99999997475242708e-07f)
+    if(across_1 > 9.99999997475242708e-07f)
     {
-        turn_0 = _S57 / vec2<f32>(across_0);
+        turn_0 = _S65 / vec2<f32>(across_1);
     }
     else
     {
         turn_0 = vec2<f32>(1.0f, 0.0f);
     }
     var x_8 : f32 = dot(hit_mm.xy, turn_0);
-    var _S58 : f32 = turn_0.x;
-    var _S59 : f32 = turn_0.y;
-    var y_2 : f32 = hit_mm.y * _S58 - hit_mm.x * _S59;
+    var _S66 : f32 = turn_0.x;
+    var _S67 : f32 = turn_0.y;
+    var y_2 : f32 = hit_mm.y * _S66 - hit_mm.x * _S67;
     var index_0 : f32 = skin_eye_slice(light.z);
-    var _S60 : f32 = min(floor(index_0), 14.0f);
-    var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S60;
-    var _S61 : vec2<f32> = lut_axes.xz;
-    var _S62 : vec2<f32> = lut_axes.yw;
-    var first_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2) - _S61) * _S62)), (0.0f))).xyz;
-    var second_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S61) * _S62)), (0.0f))).xyz;
-    var straight_0 : f32 = 1.0f - min(across_0 / 0.50550216436386108f, 1.0f);
+    var _S68 : f32 = min(floor(index_0), 14.0f);
+    var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S68;
+    var _S69 : vec2<f32> = lut_axes.xz;
+    var _S70 : vec2<f32> = lut_axes.yw;
+    var first_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2) - _S69) * _S70)), (0.0f))).xyz;
+    var second_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S69) * _S70)), (0.0f))).xyz;
+    var straight_0 : f32 = 1.0f - min(across_1 / 0.50550216436386108f, 1.0f);
     var moved_0 : f32;
-    if(_S60 > 13.5f)
+    if(_S68 > 13.5f)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S60;
+        moved_0 = index_0 - _S68;
     }
-    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S60, moved_0, moved_0));
+    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S68, moved_0, moved_0));
     var entry_y_0 : f32;
     if(y_2 < 0.0f)
     {
@@ -934,26 +934,26 @@ fn skin_eye_light(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<
     {
         entry_y_0 = value_1.z;
     }
-    var _S63 : f32 = value_1.y;
-    return vec3<f32>(value_1.x, _S63 * _S58 - entry_y_0 * _S59, _S63 * _S59 + entry_y_0 * _S58);
+    var _S71 : f32 = value_1.y;
+    return vec3<f32>(value_1.x, _S71 * _S66 - entry_y_0 * _S67, _S71 * _S67 + entry_y_0 * _S66);
 }
 
 fn skin_eye_ambient(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, r_mm : f32) -> vec4<f32>
 {
-    var _S64 : vec2<f32> = lut_axes.xz;
-    var _S65 : vec2<f32> = lut_axes.yw;
-    return vec4<f32>((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 0.0f) - _S64) * _S65)), (0.0f))).xyz, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 1.0f) - _S64) * _S65)), (0.0f))).xyz.x);
+    var _S72 : vec2<f32> = lut_axes.xz;
+    var _S73 : vec2<f32> = lut_axes.yw;
+    return vec4<f32>((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 0.0f) - _S72) * _S73)), (0.0f))).xyz, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 1.0f) - _S72) * _S73)), (0.0f))).xyz.x);
 }
 
 fn skin_dielectric_fresnel(cosine : f32, index : f32) -> f32
 {
     var c_1 : f32 = saturate(cosine);
-    var _S66 : f32 = index * index;
-    var inside_0 : f32 = sqrt(max(_S66 - 1.0f + c_1 * c_1, 0.0f));
-    var s_2 : f32 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
-    var _S67 : f32 = _S66 * c_1;
-    var p_2 : f32 = (_S67 - inside_0) / max(_S67 + inside_0, 9.99999997475242708e-07f);
-    return 0.5f * (s_2 * s_2 + p_2 * p_2);
+    var _S74 : f32 = index * index;
+    var inside_0 : f32 = sqrt(max(_S74 - 1.0f + c_1 * c_1, 0.0f));
+    var s_3 : f32 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
+    var _S75 : f32 = _S74 * c_1;
+    var p_2 : f32 = (_S75 - inside_0) / max(_S75 + inside_0, 9.99999997475242708e-07f);
+    return 0.5f * (s_3 * s_3 + p_2 * p_2);
 }
 
 fn skin_eye_inside(n_dot_v : f32, index : f32) -> f32
@@ -966,9 +966,9 @@ fn skin_lamp_highlight(reflected : vec3<f32>, light : vec3<f32>, lamp : f32, rou
     var apart_1 : vec3<f32> = reflected - light;
     var chord2_0 : f32 = dot(apart_1, apart_1);
     var wide_1 : f32 = sqrt(lamp * lamp + roughness * roughness);
-    var _S68 : f32 = max(roughness, 0.00009999999747379f);
+    var _S76 : f32 = max(roughness, 0.00009999999747379f);
     var sine_1 : f32 = sin(wide_1);
-    return skin_smooth((wide_1 + _S68 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S68)) / (sine_1 * sine_1 + _S68 * _S68 / 5.0f);
+    return skin_smooth((wide_1 + _S76 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S76)) / (sine_1 * sine_1 + _S76 * _S76 / 5.0f);
 }
 
 fn skin_pupil_radius(luminance : f32) -> f32
@@ -978,55 +978,55 @@ fn skin_pupil_radius(luminance : f32) -> f32
 
 fn skin_lid_share(position_mm : vec3<f32>, exit_mm : vec3<f32>, penumbra : f32, ramp : f32, lid : vec4<f32>) -> f32
 {
-    var _S69 : f32 = lid.w;
-    var _S70 : vec3<f32> = lid.xyz;
-    return skin_smooth((_S69 - dot(_S70, exit_mm)) / penumbra + 0.5f) * saturate((_S69 - dot(_S70, position_mm)) / ramp + 0.5f);
+    var _S77 : f32 = lid.w;
+    var _S78 : vec3<f32> = lid.xyz;
+    return skin_smooth((_S77 - dot(_S78, exit_mm)) / penumbra + 0.5f) * saturate((_S77 - dot(_S78, position_mm)) / ramp + 0.5f);
 }
 
 fn skin_lid_visibility(position_mm : vec3<f32>, direction : vec3<f32>, spread : f32, margin_mm : f32, upper : vec4<f32>, lower : vec4<f32>, radius_mm : f32) -> f32
 {
-    var along_0 : f32 = dot(position_mm, direction);
-    var distance_2 : f32 = sqrt(max(along_0 * along_0 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0f)) - along_0;
+    var along_1 : f32 = dot(position_mm, direction);
+    var distance_2 : f32 = sqrt(max(along_1 * along_1 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0f)) - along_1;
     var exit_mm_1 : vec3<f32> = position_mm + vec3<f32>(distance_2) * direction;
-    var _S71 : f32 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
-    var _S72 : f32 = max(2.0f * margin_mm, 0.00009999999747379f);
-    return skin_lid_share(position_mm, exit_mm_1, _S71, _S72, upper) * skin_lid_share(position_mm, exit_mm_1, _S71, _S72, lower);
+    var _S79 : f32 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
+    var _S80 : f32 = max(2.0f * margin_mm, 0.00009999999747379f);
+    return skin_lid_share(position_mm, exit_mm_1, _S79, _S80, upper) * skin_lid_share(position_mm, exit_mm_1, _S79, _S80, lower);
 }
 
 fn skin_lid_hidden(position_mm : vec3<f32>, normal : vec3<f32>, lid : vec4<f32>, radius_mm : f32) -> f32
 {
-    var _S73 : vec3<f32> = lid.xyz;
-    var toward_0 : f32 = dot(_S73, normal);
+    var _S81 : vec3<f32> = lid.xyz;
+    var toward_0 : f32 = dot(_S81, normal);
     var tangent_0 : f32 = sqrt(max(1.0f - toward_0 * toward_0, 0.00009999999747379f));
-    var _S74 : vec3<f32> = vec3<f32>(toward_0);
-    var _S75 : vec3<f32> = vec3<f32>(tangent_0);
-    var bare_0 : f32 = lid.w - dot(_S73, position_mm);
-    var foot_0 : vec3<f32> = position_mm + vec3<f32>(bare_0) * _S73;
-    var along_1 : f32 = dot(foot_0, _S75 * normal - _S74 * ((_S73 - _S74 * normal) / _S75));
-    var radicand_1 : f32 = along_1 * along_1 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
-    var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_1;
+    var _S82 : vec3<f32> = vec3<f32>(toward_0);
+    var _S83 : vec3<f32> = vec3<f32>(tangent_0);
+    var bare_0 : f32 = lid.w - dot(_S81, position_mm);
+    var foot_0 : vec3<f32> = position_mm + vec3<f32>(bare_0) * _S81;
+    var along_2 : f32 = dot(foot_0, _S83 * normal - _S82 * ((_S81 - _S82 * normal) / _S83));
+    var radicand_1 : f32 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
+    var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_2;
     var above_0 : f32 = bare_0 * toward_0 + length_0 * tangent_0;
     var beside_0 : f32 = bare_0 * tangent_0 - length_0 * toward_0;
-    var cosine_5 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    var _S76 : bool;
+    var cosine_7 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
+    var _S84 : bool;
     if(above_0 > 0.0f)
     {
-        _S76 = radicand_1 > 0.0f;
+        _S84 = radicand_1 > 0.0f;
     }
     else
     {
-        _S76 = false;
+        _S84 = false;
     }
-    var _S77 : f32;
-    if(_S76)
+    var _S85 : f32;
+    if(_S84)
     {
-        _S77 = 0.5f * (1.0f - cosine_5);
+        _S85 = 0.5f * (1.0f - cosine_7);
     }
     else
     {
-        _S77 = 0.0f;
+        _S85 = 0.0f;
     }
-    return _S77;
+    return _S85;
 }
 
 fn skin_lid_openness(position_mm : vec3<f32>, normal : vec3<f32>, upper : vec4<f32>, lower : vec4<f32>, radius_mm : f32) -> f32
@@ -1043,19 +1043,19 @@ fn skin_lid_iris_hidden(position_mm : vec3<f32>, narrowed : f32, lid : vec4<f32>
 
 fn skin_lid_iris_openness(hit_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f32>, upper : vec4<f32>, lower : vec4<f32>) -> f32
 {
-    var _S78 : vec2<f32> = hit_mm.xy;
-    var _S79 : f32 = limbus.x;
-    var squared_0 : f32 = dot(_S78, _S78) / (_S79 * _S79);
-    var rim_0 : f32 = squared_0 * squared_0;
-    var entry_0 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S78;
-    var _S80 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
-    var position_1 : vec3<f32> = vec3<f32>(entry_0, skin_eye_height(sqrt(dot(entry_0, entry_0)), cornea, limbus));
-    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S80, upper) - skin_lid_iris_hidden(position_1, _S80, lower));
+    var _S86 : vec2<f32> = hit_mm.xy;
+    var _S87 : f32 = limbus.x;
+    var squared_1 : f32 = dot(_S86, _S86) / (_S87 * _S87);
+    var rim_0 : f32 = squared_1 * squared_1;
+    var entry_1 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S86;
+    var _S88 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
+    var position_1 : vec3<f32> = vec3<f32>(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
+    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S88, upper) - skin_lid_iris_hidden(position_1, _S88, lower));
 }
 
 fn skin_tear_normal(position_mm : vec3<f32>, normal : vec3<f32>, lid : vec4<f32>, height_mm : f32) -> vec3<f32>
 {
-    var _S81 : vec3<f32> = lid.xyz;
-    var sine_2 : f32 = saturate(1.0f - (lid.w - dot(_S81, position_mm)) / max(height_mm, 0.00009999999747379f));
-    return skin_unit_vectors(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal - vec3<f32>(sine_2) * skin_unit_vectors(_S81 - vec3<f32>(dot(_S81, normal)) * normal));
+    var _S89 : vec3<f32> = lid.xyz;
+    var sine_2 : f32 = saturate(1.0f - (lid.w - dot(_S89, position_mm)) / max(height_mm, 0.00009999999747379f));
+    return skin_unit_vectors(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal - vec3<f32>(sine_2) * skin_unit_vectors(_S89 - vec3<f32>(dot(_S89, normal)) * normal));
 }

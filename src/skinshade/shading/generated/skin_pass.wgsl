@@ -970,7 +970,7 @@ fn skin_specular_0( normal_6 : vec3<f32>,  view_2 : vec3<f32>,  light_7 : vec3<f
     return 3.14159274101257324f * (0.94999998807907104f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, wide_0) + 0.05000000074505806f * skin_lobe_0(n_dot_h_1, n_dot_l_5, n_dot_v_1, min(wide_0 * wide_0, 8192.0f))) * (reflectance_2 + (1.0f - reflectance_2) * grazing2_0 * grazing2_0 * grazing_0) * n_dot_l_5;
 }
 
-fn skin_dielectric_fresnel_0( cosine_2 : f32,  reflectance_3 : f32) -> f32
+fn skin_coat_fresnel_0( cosine_2 : f32,  reflectance_3 : f32) -> f32
 {
     var root_0 : f32 = sqrt(clamp(reflectance_3, 0.0f, 0.89999997615814209f));
     var _S64 : f32 = 1.0f - root_0;
@@ -1001,7 +1001,7 @@ fn skin_coat_highlight_0( normal_7 : vec3<f32>,  view_3 : vec3<f32>,  light_8 : 
     }
     var root_1 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
     var _S66 : f32 = 1.0f - squared_0;
-    return root_1 * root_1 / squared_0 * (0.5f / (n_dot_l_6 * sqrt(n_dot_v_2 * n_dot_v_2 * _S66 + squared_0) + n_dot_v_2 * sqrt(n_dot_l_6 * n_dot_l_6 * _S66 + squared_0))) * skin_dielectric_fresnel_0(v_dot_h_0, reflectance_4) * n_dot_l_6;
+    return root_1 * root_1 / squared_0 * (0.5f / (n_dot_l_6 * sqrt(n_dot_v_2 * n_dot_v_2 * _S66 + squared_0) + n_dot_v_2 * sqrt(n_dot_l_6 * n_dot_l_6 * _S66 + squared_0))) * skin_coat_fresnel_0(v_dot_h_0, reflectance_4) * n_dot_l_6;
 }
 
 fn skin_second_gloss_0( gloss_6 : f32) -> f32
