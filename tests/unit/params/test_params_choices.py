@@ -28,7 +28,7 @@ EVERY_ENUMERATION = pytest.mark.parametrize(
 
 
 def test_every_enumeration_is_public():
-    assert len(ENUMERATIONS) == 10
+    assert len(ENUMERATIONS) == 11
     assert {enumeration.__name__ for enumeration in ENUMERATIONS} <= set(choices.__all__)
 
 
