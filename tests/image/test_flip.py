@@ -24,7 +24,7 @@ FLOOR = "path tracing again"
 ROW = re.compile(
     r"^\| (\w+[\w ]*?)(?: \(2014\))? \| \**([\d.]+)\** \| \**([\d. ]+?)\** \|$", re.MULTILINE
 )
-CHANGE = re.compile(r"^\| ([\w ]+) \| ([\d.]+) \| ([+-][\d.]+) \| ([\d. ]+) \|$", re.MULTILINE)
+CHANGE = re.compile(r"^\| ([\w -]+) \| ([\d.]+) \| ([+-][\d.]+) \| ([\d. ]+) \|$", re.MULTILINE)
 
 
 def rows(text):
