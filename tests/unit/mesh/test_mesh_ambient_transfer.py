@@ -25,6 +25,11 @@ def inside_of_a_ball(level=3):
     return points, faces[:, ::-1], -normals
 
 
+def hollowed_ball():
+    positions, faces, normals = ball()
+    return positions * (1.0 - 0.4 * np.exp(-8.0 * (1.0 - normals[:, 2:]))), faces
+
+
 def test_harmonics_are_orthonormal_up_to_order_4():
     z, weights = np.polynomial.legendre.leggauss(8)
     angle = np.arange(16) / 16.0 * 2.0 * np.pi
@@ -71,10 +76,9 @@ def test_no_light_enters_a_closed_body_and_none_leaves_it():
 
 
 def test_the_light_of_an_even_sky_is_at_most_that_of_the_sky_and_grows_with_the_albedo():
-    mesh = sk.builtin_head().mesh
-    arguments = mesh.positions_mm, mesh.faces, mesh.normals
+    positions, faces = hollowed_ball()
     dark, grey, white = (
-        mesh_ambient_transfer(*arguments, albedo=albedo).irradiance(EVEN_SKY)
+        mesh_ambient_transfer(positions, faces, albedo=albedo).irradiance(EVEN_SKY)
         for albedo in (0.0, 0.5, 1.0)
     )
     assert (dark <= grey).all()
@@ -83,8 +87,7 @@ def test_the_light_of_an_even_sky_is_at_most_that_of_the_sky_and_grows_with_the_
 
 
 def test_diffusion_keeps_the_light_of_every_channel_over_the_body(deon):
-    positions, faces, normals = ball()
-    hollow = positions * (1.0 - 0.4 * np.exp(-8.0 * (1.0 - normals[:, 2:])))
+    hollow, faces = hollowed_ball()
     plain, diffused = (
         mesh_ambient_transfer(hollow, faces, albedo=0.5, profile=profile)
         for profile in (None, deon)
