@@ -124,6 +124,7 @@ CHANGES: Mapping[str, Callable[[Case], Case | None]] = {
     "two GGX lobes": with_params(specular="ggx-two-lobes"),
     "tier tensor": with_settings(tier="tensor"),
     "tier scalar": with_settings(tier="scalar"),
+    "contact shadow off": with_settings(contact_shadow=False),
     "deep scatter off": with_settings(deep_scatter_taps=0),
 }
 """Changes of `transfer`, each of which is measured alone. A change returns None if it does not apply."""

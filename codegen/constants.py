@@ -10,6 +10,7 @@ from skinshade._core.arrays import FloatArray
 from skinshade.lut import coat as coat_table
 from skinshade.shading import (
     ambient,
+    contact,
     deep_scatter,
     direct,
     energy,
@@ -29,6 +30,14 @@ HEADER = "// Generated from the specification by `python -m codegen`."
 LIBRARY: dict[ModuleType, tuple[str, ...]] = {
     ambient: ("COSINE_BANDS", "LEAST_HIDDEN"),
     coat_table: ("GREATEST_REFLECTANCE",),
+    contact: (
+        "CONTACT_BIAS_MM",
+        "CONTACT_BIAS_PER_SLOPE_MM",
+        "CONTACT_FADE_FROM",
+        "CONTACT_FADE_TO",
+        "CONTACT_RADIUS_MM",
+        "CONTACT_TAPS",
+    ),
     deep_scatter: ("CLASSIC_WRAP",),
     direct: ("SMOOTH_SHORTFALL",),
     energy: ("GAIN_SLOPE",),
@@ -76,6 +85,7 @@ def constants_source() -> str:
         lines += [definition(f"SKIN_{name}", getattr(module, name)) for name in names]
     for taps in shadow.SHADOW_TAPS:
         lines += _disk(f"SKIN_SHADOW_DISK_{taps}", shadow.shadow_disk(taps))
+    lines += _disk("SKIN_CONTACT_DISK", shadow.shadow_disk(contact.CONTACT_TAPS))
     for taps in deep_scatter.THICKNESS_TAPS:
         lines += _disk(f"SKIN_POISSON_{taps}", deep_scatter.poisson_disk(taps))
     return "\n".join([*lines, "", "#endif", ""])

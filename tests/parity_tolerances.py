@@ -81,6 +81,16 @@ PARITY = {
     "skin_shadow_filter": Parity(
         1e-3, 0.0, "positions in the map of 128 texels, rounded to 1e-5 of a texel, times the slope"
     ),
+    "skin_contact_slope": Parity(
+        2e-4, 2e-5, "a quotient that is up to 20, of a small sum of nearly opposite vectors"
+    ),
+    "skin_contact_filter": Parity(
+        1e-3, 0.0, "positions in the map of 128 texels, rounded to 1e-5 of a texel"
+    ),
+    "skin_faded_contact": Parity(4e-6, 0.0, "a cosine's rounding of 6e-8 over the range .1"),
+    "skin_contact_shadow": Parity(
+        1e-4, 2e-6, "filter weights of 8 bits between columns 1/512 apart"
+    ),
     "skin_inward_offset": Parity(4e-5, 0.0, "positions of up to 300 mm, rounded to 3e-5"),
     "skin_specular_power": Parity(0.0, 4e-6, "exp2 of up to 13"),
     "skin_specular": Parity(

@@ -181,6 +181,13 @@ SHADOW_TEXEL_MM = Tolerance(
 
 # -- shadow maps -----------------------------------------------------------------------------------
 
+CONTACT_EDGE = Tolerance(0.1, "12 taps, each interpolated between texels of .27 mm")
+CONTACT_BLEED = Tolerance(
+    0.01, "an edge 1/8 mm wide instead of a step, and 2048 columns interpolated bilinearly"
+)
+CONTACT_FOLDS = Tolerance(
+    0.5, "ratio of RMS with contact to RMS without, on folds of 1 mm in a map of .56 mm"
+)
 SHADOW_PROFILE = Tolerance(
     0.05, "48 taps, each interpolated between texels of .1 to .8 mm; .044 measured"
 )

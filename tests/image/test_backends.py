@@ -91,7 +91,12 @@ def test_the_head_is_the_same_picture_in_every_tier_of_geometry(head, tier):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "way",
-    [{"shadow_filter": "variance"}, {"normal_fetches": 2}, {"deep_scatter_taps": 0}],
+    [
+        {"shadow_filter": "variance"},
+        {"normal_fetches": 2},
+        {"deep_scatter_taps": 0},
+        {"contact_shadow": False},
+    ],
     ids=lambda way: next(iter(way)),
 )
 def test_the_head_is_the_same_picture_with_every_other_setting(head, way):

@@ -15,7 +15,7 @@ from skinshade.params.choices import Tier
 from skinshade.rendering import RenderSettings, open_renderer
 
 SIZE = (320, 320)
-SETTINGS = RenderSettings(tier=Tier.TENSOR, deep_scatter_taps=0)
+SETTINGS = RenderSettings(tier=Tier.TENSOR, deep_scatter_taps=0, contact_shadow=False)
 
 
 def example(repository, name):

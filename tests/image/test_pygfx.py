@@ -42,7 +42,10 @@ def one_colour(scene):
 
 
 def draw_on_cpu(scene, shadows=True, **settings):
-    """Return linear light and coverage (H, W, 4); without shadows the shadow maps are empty."""
+    """Return linear light and coverage (H, W, 4); without shadows the shadow maps are empty.
+
+    pygfx has no contact shadow.
+    """
     renderer = open_renderer(scene, "cpu")
     if not shadows:
         empty = []
@@ -50,7 +53,7 @@ def draw_on_cpu(scene, shadows=True, **settings):
             depths = np.full_like(shadow_map.nearest_mm, np.inf)
             empty.append(replace(shadow_map, nearest_mm=depths, occluder_mm=depths))
         renderer.prepared = replace(renderer.prepared, shadow_maps=empty)
-    return renderer.draw(scene.camera, SIZE, 1, RenderSettings(**settings))
+    return renderer.draw(scene.camera, SIZE, 1, RenderSettings(contact_shadow=False, **settings))
 
 
 def draw_in_pygfx(scene, geometry, tier, taps, shadows=True):

@@ -57,11 +57,11 @@ def tables_for(signature):
 def depth_map(signature):
     """Return depths (96, 128) as a projection stores them.
 
-    Thickness is continuous in the depths. The wide filter compares them: it gets two depths that no
+    Thickness is continuous in the depths. The shadow filters compare them: they get two depths that no
     receiver of the batch is near, because a rounding decides comparisons of equal depths.
     """
     values = np.random.default_rng(7).random((96, 128)).astype(np.float32)
-    if signature.name == "skin_shadow_filter":
+    if signature.name in ("skin_shadow_filter", "skin_contact_filter"):
         return np.rint(values)
     return values * np.float32(0.97)
 
@@ -78,7 +78,7 @@ def eye_table(name):
 def lut_of(signature):
     if signature.file == "eye_light":
         lut = eye_table("lamp" if signature.twin == "eye_light" else "surroundings")
-    elif signature.file == "shadow":
+    elif signature.file in ("shadow", "contact"):
         lut = build_shadow_lut(SKIN, size=(512, 64), width_mm=(4.0, 400.0))
     elif signature.file == "coat":
         lut = build_coat_lut()

@@ -40,6 +40,10 @@ class ShadingOptions:
     shadow_filter: Annotated[ShadowFilter, typer.Option(help="Form of the wide shadow filter.")] = (
         ShadowFilter.PERCENTAGE_CLOSER
     )
+    no_contact_shadow: Annotated[
+        bool,
+        typer.Option("--no-contact-shadow", help="Lids, nostril rims and lips cast no shadow."),
+    ] = False
     antialiasing: Annotated[
         Antialiasing,
         typer.Option(
@@ -70,6 +74,7 @@ class ShadingOptions:
             deep_scatter_taps=self.deep_scatter_taps,
             normal_fetches=self.normal_fetches,
             shadow_filter=self.shadow_filter,
+            contact_shadow=not self.no_contact_shadow,
             antialiasing=self.antialiasing,
             debug_view=self.debug_view,
             seed=self.seed,

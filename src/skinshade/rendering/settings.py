@@ -50,6 +50,9 @@ class RenderSettings:
         Fetches of the normal map: 3 (sharp and two blurs, default) or 2 (sharp and one blur).
     shadow_filter
         Form of the wide shadow filter: ``percentage-closer`` (default) or ``variance``, of equal width.
+    contact_shadow
+        Whether lids, nostril rims and lips cast a narrow shadow next to themselves (default). The formulas
+        of 2014, ``classic``, have none.
     antialiasing
         ``supersampling`` (default) shades every sample. With ``multisampling``, a GPU shades once per
         pixel, filters maps along the pixel's footprint and finds edges from 4 samples, regardless of the
@@ -73,6 +76,7 @@ class RenderSettings:
     deep_scatter_taps: int = 8
     normal_fetches: int = 3
     shadow_filter: ShadowFilter = ShadowFilter.PERCENTAGE_CLOSER
+    contact_shadow: bool = True
     antialiasing: Antialiasing = Antialiasing.SUPERSAMPLING
     debug_view: View = View.PICTURE
     seed: int = 0
@@ -102,6 +106,11 @@ class RenderSettings:
     def thickness_taps(self) -> int:
         """Number of thickness taps in effect; 0 for ``lambert``, which has no deep scatter."""
         return 0 if self.shading == Shading.LAMBERT else self.deep_scatter_taps
+
+    @property
+    def has_contact(self) -> bool:
+        """Whether the contact shadow is in effect; ``classic`` has none."""
+        return self.contact_shadow and self.shading != Shading.CLASSIC
 
     @property
     def luts(self) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from .._core.arrays import FloatArray, dot
 from ..params.choices import Boundary, Shading, SpecularModel, Tier
-from . import ambient, classic, deep_scatter, direct, lobes, normals, shadow
+from . import ambient, classic, contact, deep_scatter, direct, lobes, normals, shadow
 from .energy import energy_gain
 from .pixel import Ambient, Incident, Surface
 from .skin import Skin
@@ -124,7 +124,7 @@ def _lambert(
     skin: Skin, surface: Surface, channel_normals: FloatArray, light: Incident
 ) -> dict[str, FloatArray]:
     """Return the terms of one light without scattering."""
-    sharpened = shadow.sharpened_shadow(light.shadow_filter, skin.params.shadow_sharpening)
+    sharpened = _sharpened(skin, light)
     cosine = np.maximum(dot(surface.sharp, light.to_light), 0.0)
     return {
         "direct": np.repeat((cosine * sharpened)[:, None], 3, axis=1),
@@ -179,7 +179,11 @@ def _transfer(
     diffused_shadow = shadow.diffused_shadow(
         skin.lut("shadow"), light.shadow_filter, n_dot_l, params.shadow_filter_width_mm
     )
-    sharpened = shadow.sharpened_shadow(light.shadow_filter, params.shadow_sharpening)
+    if light.contact is not None:
+        diffused_shadow = contact.contact_shadow(
+            skin.lut("shadow"), diffused_shadow, light.contact, params.shadow_filter_width_mm
+        )
+    sharpened = _sharpened(skin, light)
     terms = {
         "direct": _diffuse(skin, surface, channel_normals, light, tier, gain) * diffused_shadow,
         "specular": _specular(skin, surface, light, Shading.TRANSFER, sharpened),
@@ -198,6 +202,12 @@ def _transfer(
         beyond = deep_scatter.through_beyond(scattered, terms["direct"])
         terms["deep_scatter"] = beyond * _tint(skin, surface)
     return terms
+
+
+def _sharpened(skin: Skin, light: Incident) -> FloatArray:
+    """Return the lesser (N,) of the sharpened shadow and the contact shadow, into which no light bleeds."""
+    sharpened = shadow.sharpened_shadow(light.shadow_filter, skin.params.shadow_sharpening)
+    return sharpened if light.contact is None else np.minimum(sharpened, light.contact)
 
 
 def _diffuse(

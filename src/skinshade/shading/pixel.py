@@ -80,12 +80,15 @@ class Incident:
         (N,) value of the wide shadow filter, 0..1.
     thickness_mm
         (N,) thickness of the body towards the light, mm, or None for no deep scatter.
+    contact
+        (N,) share of `skinshade.shading.contact.contact_filter`, or None for no contact shadow.
     """
 
     to_light: FloatArray
     radiance: FloatArray
     shadow_filter: FloatArray
     thickness_mm: FloatArray | None = None
+    contact: FloatArray | None = None
 
 
 @dataclass(frozen=True)

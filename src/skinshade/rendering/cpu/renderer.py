@@ -10,11 +10,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..._core.arrays import FloatArray, ImageArray, IntArray, dot
+from ..._core.arrays import FloatArray, ImageArray, IntArray, dot, unit_vectors
 from ..._core.progress import Progress, silent
 from ...params.choices import TERM_VIEWS, AmbientForm, MaterialMap, Shading, ShadowFilter, View
 from ...scene import Camera, Light, Scene
 from ...shading.compose import shade
+from ...shading.contact import CONTACT_FADE_FROM
 from ...shading.lobes import reflected_sky
 from ...shading.pixel import Ambient, Incident, Surface
 from ...shading.shadow import DARK_BEYOND
@@ -25,7 +26,7 @@ from ..prepare.rasterizer import Fragments, rasterize
 from ..prepare.samples import sample_offsets
 from ..prepare.scene import prepare_scene
 from ..prepare.shadow_filter import WideFilter, build_filter
-from ..prepare.shadow_map import ShadowMap, thickness
+from ..prepare.shadow_map import ShadowMap, contact, thickness
 from ..settings import RenderSettings
 from .background import background_light
 from .surface import pixel_surface
@@ -205,6 +206,13 @@ class CpuRenderer(Renderer):
             ]
             for taps in {setting.thickness_taps for setting in settings}
         }
+        contacts: list[FloatArray | None] = [None] * len(to_light)
+        if any(setting.has_contact for setting in settings):
+            normal = self._face_normals(chunk, surface)
+            contacts = [
+                _contact(shadow_map, direction, position, normal)
+                for shadow_map, direction in zip(self.prepared.shadow_maps, to_light, strict=True)
+            ]
         models = {skin.specular_model(setting.shading): setting.shading for setting in settings}
         ambient = {
             model: self._ambient(columns, surface, skin, shading)
@@ -213,16 +221,24 @@ class CpuRenderer(Renderer):
         colours = []
         for setting in settings:
             lights = [
-                replace(light, thickness_mm=depth)
-                for light, depth in zip(
+                replace(light, thickness_mm=depth, contact=share if setting.has_contact else None)
+                for light, depth, share in zip(
                     incident[setting.shadow_filter],
                     thicknesses[setting.thickness_taps],
+                    contacts,
                     strict=True,
                 )
             ]
             own = ambient[skin.specular_model(setting.shading)]
             colours.append(_colour(skin, surfaces[setting.normal_fetches], lights, own, setting))
         return colours
+
+    def _face_normals(self, chunk: Fragments, surface: Surface) -> FloatArray:
+        """Return the unit normals (N, 3) of the faces of a chunk, on the side of the mesh's normals."""
+        corners = self.scene.mesh.positions_mm[self.prepared.vertices.faces[chunk.face]]
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        side = np.where(dot(normal, surface.mesh_normal) < 0.0, -1.0, 1.0)
+        return unit_vectors(normal * side[:, None])
 
     def _ambient(
         self, columns: Columns, surface: Surface, skin: Skin, shading: Shading
@@ -253,6 +269,16 @@ def _incident(
         position[lit], normal[lit], to_light[lit], surface.curvature_per_mm[lit]
     )
     return Incident(to_light, irradiance / np.pi, shadow_filter)
+
+
+def _contact(
+    shadow_map: ShadowMap, to_light: FloatArray, position: FloatArray, face_normal: FloatArray
+) -> FloatArray:
+    """Return the unhidden share (N,) of the contact filter; 1 where a face does not look at the light."""
+    lit = np.flatnonzero(dot(face_normal, to_light) > CONTACT_FADE_FROM)
+    result = np.ones(len(position))
+    result[lit] = contact(shadow_map, position[lit], face_normal[lit], to_light[lit])
+    return result
 
 
 def _thickness(

@@ -69,6 +69,7 @@ class SkinPass:
             "OPACITY_CUTOFF": round(255.0 * part.opacity_cutoff),
             "SPECULAR": part.skin.specular_model(settings.shading).number,
             "BOUNDARY": part.skin.boundary.number,
+            "CONTACT": int(settings.has_contact),
             "SPOT_LIGHTS": int(any(isinstance(light, SpotLight) for light in prepared.lights)),
         }
         return self._program.pipeline(

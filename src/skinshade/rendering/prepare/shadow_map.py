@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..._core.arrays import FloatArray
+from ..._core.arrays import FloatArray, dot
 from ...mesh import Mesh
+from ...shading.contact import contact_slope, faded_contact, unhidden_share
 from ...shading.deep_scatter import inward_offset, mean_thickness, poisson_disk
 from ...shading.shadow import SHADOW_TAPS, shadow_disk, shadow_occluder_depth
 from . import compiled_fetches as compiled
@@ -18,6 +19,7 @@ __all__ = [
     "FILTER_TAPS",
     "ShadowMap",
     "blurred_moments",
+    "contact",
     "rasterize_shadow_map",
     "tap_disks",
     "thickness",
@@ -86,6 +88,31 @@ def blurred_moments(shadow_map: ShadowMap, width_mm: float) -> tuple[FloatArray,
         return values
 
     return blurred(depth), blurred(depth * depth)
+
+
+def contact(
+    shadow_map: ShadowMap, position_mm: FloatArray, face_normal: FloatArray, to_light: FloatArray
+) -> FloatArray:
+    """Return the share (N,) of the disk around points that nothing hides from a light within .6 mm.
+
+    Parameters
+    ----------
+    shadow_map
+        Map of the light.
+    position_mm, face_normal, to_light
+        (N, 3) points in mm, unit normals of their faces, and unit vectors towards the light.
+    """
+    view = shadow_map.view
+    coordinates = view.coordinates(position_mm)
+    uv_per_mm = 1.0 / (view.texel_mm(coordinates[:, 3]) * MAP_SIZE)
+    share = unhidden_share(
+        shadow_map.nearest_mm,
+        coordinates[:, :2],
+        coordinates[:, 2],
+        np.repeat(uv_per_mm[:, None], 2, axis=1),
+        contact_slope(face_normal, to_light, view.view[0, :3], view.view[1, :3]),
+    )
+    return faded_contact(share, dot(face_normal, to_light))
 
 
 def tap_disks(thickness_taps: int) -> FloatArray:

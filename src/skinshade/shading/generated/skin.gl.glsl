@@ -1,4 +1,5 @@
 // The skinshade library, generated from shading/*.slang by `python -m codegen`.
+const vec2  SKIN_CONTACT_DISK[12] = vec2[](vec2(0.16725532710552216, 0.0), vec2(-0.21519750356674194, 0.19713853299617767), vec2(0.0332011915743351, -0.3783104419708252), vec2(0.27573889493942261, 0.35965254902839661), vec2(-0.51071953773498535, -0.09033908694982529), vec2(0.48873069882392883, -0.31089046597480774), vec2(-0.16532173752784729, 0.61498862504959106), vec2(-0.31931877136230469, -0.61482888460159302), vec2(0.70304751396179199, 0.25675183534622192), vec2(-0.74441087245941162, 0.3072819709777832), vec2(0.36706140637397766, -0.78438889980316162), vec2(0.28072324395179749, 0.89498996734619141));
 const vec2  SKIN_SHADOW_DISK_48[48] = vec2[](vec2(0.08340597897768021, 0.0), vec2(-0.10671073943376541, 0.09775578230619431), vec2(0.01636306010186672, -0.1864485889673233), vec2(0.13498826324939728, 0.17606829106807709), vec2(-0.24817833304405212, -0.04389924928545952), vec2(0.2355383038520813, -0.14983019232749939), vec2(-0.07893361896276474, 0.29362913966178894), vec2(-0.15082783997058868, -0.29040983319282532), vec2(0.32788398861885071, 0.11974270641803741), vec2(-0.34179624915122986, 0.14108851552009583), vec2(0.16510665416717529, -0.35282331705093384), vec2(0.12226484715938568, 0.38979959487915039), vec2(-0.36929354071617126, -0.21401314437389374), vec2(0.4341655969619751, -0.09545008838176727), vec2(-0.2655525803565979, 0.37772122025489807), vec2(-0.06148780882358551, -0.47449716925621033), vec2(0.37834861874580383, 0.31887263059616089), vec2(-0.51034331321716309, 0.02110430039465427), vec2(0.37315717339515686, -0.37134122848510742), vec2(-0.02502750046551228, 0.54124277830123901), vec2(-0.3568427562713623, -0.42761686444282532), vec2(0.56674838066101074, 0.0762551873922348), vec2(-0.48148587346076965, 0.33500534296035767), vec2(0.13193005323410034, -0.58644229173660278), vec2(0.30600649118423462, 0.53402209281921387), vec2(-0.59994620084762573, -0.1913992166519165), vec2(0.58451014757156372, -0.27005851268768311), vec2(-0.25400349497795105, 0.60692840814590454), vec2(-0.22741274535655975, -0.63226538896560669), vec2(0.60710901021957397, 0.31907948851585388), vec2(-0.6766400933265686, 0.17836016416549683), vec2(0.38596493005752563, -0.60026413202285767), vec2(0.12322843074798584, 0.71703100204467773), vec2(-0.58622837066650391, -0.45400822162628174), vec2(0.75288873910903931, -0.06237528845667839), vec2(-0.52258288860321045, 0.56489682197570801), vec2(0.0038233099039644, -0.78373259305953979), vec2(0.53622621297836304, 0.59111112356185913), vec2(-0.80917233228683472, -0.07499390840530396), vec2(0.65910446643829346, -0.50023680925369263), vec2(-0.15080370008945465, 0.82895052433013916), vec2(-0.45701694488525391, -0.72624564170837402), vec2(0.84303575754165649, 0.23104114830493927), vec2(-0.79258495569229126, 0.40674149990081787), vec2(0.31582745909690857, -0.85189038515090942), vec2(0.34976369142532349, 0.85918575525283813), vec2(-0.85765814781188965, -0.40646019577980042), vec2(0.93254464864730835, -0.28751349449157715));
 const vec2  SKIN_SHADOW_DISK_16[16] = vec2[](vec2(0.14471825957298279, 0.0), vec2(-0.18583981692790985, 0.170244500041008), vec2(0.02860930934548378, -0.32598838210105896), vec2(0.23701368272304535, 0.30914238095283508), vec2(-0.43773865699768066, -0.07742980122566223), vec2(0.41749045252799988, -0.26557326316833496), vec2(-0.14065909385681152, 0.52324479818344116), vec2(-0.27035140991210938, -0.52054518461227417), vec2(0.59152573347091675, 0.21602423489093781), vec2(-0.6210860013961792, 0.25637525320053101), vec2(0.30247461795806885, -0.64637070894241333), vec2(0.22609943151473999, 0.72084063291549683), vec2(-0.69051814079284668, -0.40016940236091614), vec2(0.82290405035018921, -0.18091315031051636), vec2(-0.5123591423034668, 0.7287781834602356), vec2(-0.12196926772594452, -0.94122844934463501));
 const vec2  SKIN_POISSON_32[32] = vec2[](vec2(-0.02096010930836201, 0.01299272011965513), vec2(0.69517123699188232, -0.04910685122013092), vec2(0.28034570813179016, 0.66283899545669556), vec2(0.03107489086687565, -0.69704329967498779), vec2(-0.49904009699821472, 0.54098159074783325), vec2(-0.70408397912979126, -0.14709833264350891), vec2(0.53451526165008545, -0.56702268123626709), vec2(-0.48678380250930786, -0.61486828327178955), vec2(0.68837428092956543, 0.41418349742889404), vec2(-0.14107078313827515, 0.8102262020111084), vec2(0.21897397935390472, -0.3123532235622406), vec2(0.31406453251838684, 0.24951401352882385), vec2(-0.83115619421005249, 0.28457203507423401), vec2(-0.40699386596679688, 0.14198443293571472), vec2(-0.10747358947992325, 0.41360348463058472), vec2(-0.19334819912910461, -0.34689420461654663), vec2(0.80768358707427979, -0.37000563740730286), vec2(0.33436411619186401, -0.82407790422439575), vec2(-0.79105347394943237, -0.45378401875495911), vec2(-0.23485180735588074, -0.86940687894821167), vec2(0.37255629897117615, -0.05855973064899445), vec2(0.5726354718208313, 0.72984015941619873), vec2(0.8966706395149231, 0.17047682404518127), vec2(-0.43273070454597473, 0.81860679388046265), vec2(0.1212853416800499, 0.92984902858734131), vec2(-0.42749753594398499, -0.15111121535301208), vec2(-0.94129812717437744, 0.00735718011856079), vec2(0.52211439609527588, -0.28702935576438904), vec2(-0.79033631086349487, 0.5402228832244873), vec2(-0.23410981893539429, -0.59940856695175171), vec2(0.28244560956954956, -0.563071608543396), vec2(0.57051312923431396, 0.18359191715717316));
@@ -355,12 +356,83 @@ float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, flo
     return _S10 / (_S10 + _S11 * _S11);
 }
 
+vec2 skin_contact_slope(vec3 face_normal, vec3 to_light, vec3 light_right, vec3 light_up)
+{
+    vec3 axis_1 = cross(light_right, light_up);
+    float handedness_1;
+    if((dot(to_light, axis_1)) < 0.0)
+    {
+        handedness_1 = -1.0;
+    }
+    else
+    {
+        handedness_1 = 1.0;
+    }
+    return vec2(dot(face_normal, light_right), - dot(face_normal, light_up)) / max(handedness_1 * dot(face_normal, axis_1), 0.05000000074505806);
+}
+
+float skin_faded_contact(float share, float cosine)
+{
+    return 1.0 - skin_saturate_0((cosine - 0.05000000074505806) / 0.10000000894069672) * (1.0 - share);
+}
+
+float skin_contact_bias(vec2 slope)
+{
+    return 0.80000001192092896 + 0.30000001192092896 * length(slope);
+}
+
+float skin_contact_compare(vec4 depths, float receiver_mm, vec2 rise, vec2 weights)
+{
+    float _S12 = rise.x;
+    float _S13 = rise.y;
+    vec4 lit_1 = step(receiver_mm + vec4(0.0, _S12, _S13, _S12 + _S13), depths);
+    vec2 rows_2 = mix(lit_1.xz, lit_1.yw, vec2(weights.x));
+    return mix(rows_2.x, rows_2.y, weights.y);
+}
+
+float skin_contact_filter(sampler2D depth_map, vec2 map_extent, mat4x4 view, mat4x4 projection, vec3 position_mm, vec3 face_normal, vec3 to_light)
+{
+    vec4 coordinates_1 = skin_light_coordinates(position_mm, view, projection);
+    vec2 slope_6 = skin_contact_slope(face_normal, to_light, view[0].xyz, view[1].xyz);
+    vec2 texels_per_mm_0 = 0.5 * vec2(abs(projection[0].x), abs(projection[1].y)) / abs(coordinates_1.w) * map_extent;
+    vec2 _S14 = slope_6 / texels_per_mm_0;
+    vec2 _S15 = coordinates_1.xy * map_extent - 0.5;
+    float _S16 = coordinates_1.z - skin_contact_bias(slope_6);
+    int tap_2 = 0;
+    float total_5 = 0.0;
+    for(;;)
+    {
+        if(tap_2 < 12)
+        {
+        }
+        else
+        {
+            break;
+        }
+        vec2 position_1 = _S15 + 0.60000002384185791 * SKIN_CONTACT_DISK[tap_2] * texels_per_mm_0;
+        vec2 corner_1 = floor(position_1);
+        const vec2 _S17 = vec2(0.0);
+        vec2 _S18 = map_extent - 1.0;
+        vec2 low_2 = (clamp(corner_1, _S17, _S18) + 0.5) / map_extent;
+        vec2 high_2 = (clamp(corner_1 + 1.0, _S17, _S18) + 0.5) / map_extent;
+        float total_6 = total_5 + skin_contact_compare(vec4(skin_linear_depth((textureLod((depth_map), (low_2), (0.0))).x, projection), skin_linear_depth((textureLod((depth_map), (vec2(high_2.x, low_2.y)), (0.0))).x, projection), skin_linear_depth((textureLod((depth_map), (vec2(low_2.x, high_2.y)), (0.0))).x, projection), skin_linear_depth((textureLod((depth_map), (high_2), (0.0))).x, projection)), _S16 + dot(corner_1 - _S15, _S14), _S14, position_1 - corner_1);
+        tap_2 = tap_2 + 1;
+        total_5 = total_6;
+    }
+    return skin_faded_contact(total_5 / 12.0, dot(face_normal, to_light));
+}
+
+vec3 skin_contact_shadow(sampler2D lut, vec4 lut_axes, vec3 shadow, float contact, float filter_width_mm)
+{
+    return min(shadow, contact + (1.0 - contact) * skin_diffused_shadow(lut, lut_axes, skin_smoothstep(0.5 - 0.60000002384185791 / filter_width_mm), 1.0, filter_width_mm));
+}
+
 vec3 skin_sh_bands(mat3x3 sh, vec3 d)
 {
-    float _S12 = d.y;
-    float _S13 = d.z;
-    float _S14 = d.x;
-    return vec3(0.282094806432724 * sh[0].x, 0.48860251903533936 * (sh[0].y * _S12 + sh[0].z * _S13 + sh[1].x * _S14), 1.09254848957061768 * (sh[1].y * _S14 * _S12 + sh[1].z * _S12 * _S13 + sh[2].y * _S14 * _S13) + 0.31539157032966614 * sh[2].x * (3.0 * _S13 * _S13 - dot(d, d)) + 0.54627424478530884 * sh[2].z * (_S14 * _S14 - _S12 * _S12));
+    float _S19 = d.y;
+    float _S20 = d.z;
+    float _S21 = d.x;
+    return vec3(0.282094806432724 * sh[0].x, 0.48860251903533936 * (sh[0].y * _S19 + sh[0].z * _S20 + sh[1].x * _S21), 1.09254848957061768 * (sh[1].y * _S21 * _S19 + sh[1].z * _S19 * _S20 + sh[2].y * _S21 * _S20) + 0.31539157032966614 * sh[2].x * (3.0 * _S20 * _S20 - dot(d, d)) + 0.54627424478530884 * sh[2].z * (_S21 * _S21 - _S19 * _S19));
 }
 
 float skin_ambient_channel(mat3x3 sh, vec3 normal, vec3 band_transfer)
@@ -402,8 +474,8 @@ vec3 skin_transferred_irradiance(mat3x3 ambient_transfer_red, mat3x3 ambient_tra
 float skin_reflected_visibility(mat3x3 sky_harmonics, vec3 normal, vec3 direction)
 {
     vec3 bands_0 = skin_sh_bands(sky_harmonics, direction);
-    float _S15 = max(dot(normal, direction), 0.0);
-    return skin_saturate_0((bands_0.x + bands_0.y + bands_0.z) / ((0.375 + _S15 * (2.0 + 1.875 * _S15)) * 0.07957746833562851));
+    float _S22 = max(dot(normal, direction), 0.0);
+    return skin_saturate_0((bands_0.x + bands_0.y + bands_0.z) / ((0.375 + _S22 * (2.0 + 1.875 * _S22)) * 0.07957746833562851));
 }
 
 vec3 skin_occluded_reflection(vec3 sky, vec3 bounced, mat3x3 sky_harmonics, vec3 normal, vec3 direction)
@@ -441,16 +513,16 @@ float skin_gloss_of_relief(float gloss, float normal_length)
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S16 = max(roughness, 0.00100000004749745);
-    float r2_0 = _S16 * _S16;
+    float _S23 = max(roughness, 0.00100000004749745);
+    float r2_0 = _S23 * _S23;
     return clamp(log2(max(2.0 / (r2_0 * r2_0) - 2.0, 1.0)) / 13.0, 0.0, 1.0);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = (inversesqrt((3.14159274101257324 * power / 4.0 + 1.57079637050628662)));
-    float _S17 = 1.0 - k_0;
-    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S17 * n_dot_l) * (k_0 + _S17 * n_dot_v)));
+    float _S24 = 1.0 - k_0;
+    return (power + 2.0) / 6.28318548202514648 * pow(max(n_dot_h, 9.99999971718068537e-10), power) * (0.25 / ((k_0 + _S24 * n_dot_l) * (k_0 + _S24 * n_dot_v)));
 }
 
 float skin_specular(vec3 normal, vec3 view, vec3 light, float gloss, float reflectance)
@@ -495,11 +567,11 @@ float skin_second_gloss(float gloss)
 float skin_coat_fresnel(float cosine, float reflectance)
 {
     float root_1 = sqrt(clamp(reflectance, 0.0, 0.89999997615814209));
-    float _S18 = 1.0 - root_1;
-    float excess_0 = 4.0 * root_1 / (_S18 * _S18);
-    float _S19 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10);
-    float across_0 = excess_0 / (_S19 * _S19);
-    float along_0 = (cosine * _S19 - 1.0) / (cosine * excess_0 / _S19 + 1.0);
+    float _S25 = 1.0 - root_1;
+    float excess_0 = 4.0 * root_1 / (_S25 * _S25);
+    float _S26 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10);
+    float across_0 = excess_0 / (_S26 * _S26);
+    float along_0 = (cosine * _S26 - 1.0) / (cosine * excess_0 / _S26 + 1.0);
     return 0.5 * across_0 * across_0 * (1.0 + along_0 * along_0);
 }
 
@@ -522,15 +594,15 @@ float skin_coat_highlight(vec3 normal, vec3 view, vec3 light, float gloss, float
         sine2_0 = 1.0;
     }
     float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
-    float _S20 = 1.0 - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5 / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S20 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S20 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+    float _S27 = 1.0 - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5 / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S27 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S27 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
 }
 
 vec2 skin_coat(sampler2D lut, vec4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
 {
     vec3 entry_0 = (textureLod((lut), (skin_saturate_2((vec2(sqrt(skin_saturate_0(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw)), (0.0))).xyz;
-    float _S21 = entry_0.z;
-    return vec2(clamp(_S21 + (1.0 - reflectance) / (1.0 - coat_reflectance) * (entry_0.x - _S21), 0.0, _S21), entry_0.y);
+    float _S28 = entry_0.z;
+    return vec2(clamp(_S28 + (1.0 - reflectance) / (1.0 - coat_reflectance) * (entry_0.x - _S28), 0.0, _S28), entry_0.y);
 }
 
 vec3 skin_coat_direction(vec3 normal, vec3 view, float pull)
@@ -542,13 +614,13 @@ vec3 skin_coat_direction(vec3 normal, vec3 view, float pull)
 float skin_turns(float y, float x)
 {
     vec2 size_0 = abs(vec2(x, y));
-    float _S22 = size_0.x;
-    float _S23 = size_0.y;
-    float r_0 = min(_S22, _S23) / max(max(_S22, _S23), 1.00000000317107685e-30);
+    float _S29 = size_0.x;
+    float _S30 = size_0.y;
+    float r_0 = min(_S29, _S30) / max(max(_S29, _S30), 1.00000000317107685e-30);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781 + r2_1 * (-0.05293257534503937 + r2_1 * (0.03076364658772945 + r2_1 * (-0.01842727139592171 + r2_1 * (0.00826387945562601 - r2_1 * 0.00181874714326113)))));
     float turns_1;
-    if(_S23 > _S22)
+    if(_S30 > _S29)
     {
         turns_1 = 0.25 - turns_0;
     }
@@ -575,9 +647,9 @@ float skin_turns(float y, float x)
 
 vec2 skin_equirectangular_uv(vec3 direction)
 {
-    float _S24 = direction.x;
-    float _S25 = direction.z;
-    return vec2(0.5 + skin_turns(_S25, _S24), 2.0 * skin_turns(sqrt(_S24 * _S24 + _S25 * _S25), direction.y));
+    float _S31 = direction.x;
+    float _S32 = direction.z;
+    return vec2(0.5 + skin_turns(_S32, _S31), 2.0 * skin_turns(sqrt(_S31 * _S31 + _S32 * _S32), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -588,10 +660,10 @@ float skin_reflection_level(float power)
 vec3 skin_preconvolved(sampler2D preconvolved, vec2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S26 = min(floor(level_0), 3.0);
+    float _S33 = min(floor(level_0), 3.0);
     float row_1 = clamp(uv.y, 0.0078125, 0.9921875);
-    float _S27 = uv.x;
-    return mix((textureLod((preconvolved), (vec2(_S27, (_S26 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S27, (_S26 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S26));
+    float _S34 = uv.x;
+    return mix((textureLod((preconvolved), (vec2(_S34, (_S33 + row_1) / 5.0)), (0.0))).xyz, (textureLod((preconvolved), (vec2(_S34, (_S33 + 1.0 + row_1) / 5.0)), (0.0))).xyz, vec3(level_0 - _S33));
 }
 
 vec3 skin_reflected_radiance(sampler2D preconvolved, vec3 direction, float gloss)
@@ -609,22 +681,22 @@ vec3 skin_coat_radiance(sampler2D preconvolved, vec3 direction, float n_dot_v, f
 vec3 skin_filmic(vec3 light)
 {
     vec3 x_5 = max(light - 0.00400000018998981, vec3(0.0));
-    vec3 _S28 = 6.19999980926513672 * x_5;
-    return x_5 * (_S28 + 0.5) / (x_5 * (_S28 + 1.70000004768371582) + 0.05999999865889549);
+    vec3 _S35 = 6.19999980926513672 * x_5;
+    return x_5 * (_S35 + 0.5) / (x_5 * (_S35 + 1.70000004768371582) + 0.05999999865889549);
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S29;
+    float _S36;
     if(x <= 0.00313080009073019)
     {
-        _S29 = 12.92000007629394531 * x;
+        _S36 = 12.92000007629394531 * x;
     }
     else
     {
-        _S29 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
+        _S36 = 1.0549999475479126 * pow(max(x, 9.999999960041972e-13), 0.4166666567325592) - 0.05499999970197678;
     }
-    return _S29;
+    return _S36;
 }
 
 vec3 skin_srgb_from_linear(vec3 light)
@@ -635,16 +707,16 @@ vec3 skin_srgb_from_linear(vec3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S30;
+    float _S37;
     if(x <= 0.04044999927282333)
     {
-        _S30 = x / 12.92000007629394531;
+        _S37 = x / 12.92000007629394531;
     }
     else
     {
-        _S30 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
+        _S37 = pow((x + 0.05499999970197678) / 1.0549999475479126, 2.40000009536743164);
     }
-    return _S30;
+    return _S37;
 }
 
 vec3 skin_linear_from_srgb(vec3 display)
@@ -690,25 +762,25 @@ vec4 skin_eye_cornea(float cornea_radius_mm, float cornea_asphericity, float ref
 {
     float r_1 = limbus.x;
     float ratio_0 = r_1 / cornea_radius_mm;
-    float _S31 = r_1 * r_1;
-    float _S32 = limbus.z;
-    return vec4(skin_eye_root(_S32 * _S32 - _S31) + _S31 / (cornea_radius_mm * (1.0 + skin_eye_root(1.0 - (1.0 + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
+    float _S38 = r_1 * r_1;
+    float _S39 = limbus.z;
+    return vec4(skin_eye_root(_S39 * _S39 - _S38) + _S38 / (cornea_radius_mm * (1.0 + skin_eye_root(1.0 - (1.0 + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
 }
 
 vec2 skin_eye_conic(float r, vec4 cornea)
 {
-    float _S33 = cornea.y;
-    float ratio_1 = r / _S33;
+    float _S40 = cornea.y;
+    float ratio_1 = r / _S40;
     float root_3 = skin_eye_root(1.0 - (1.0 + cornea.z) * ratio_1 * ratio_1);
-    return vec2(cornea.x - r * r / (_S33 * (1.0 + root_3)), -1.0 / (_S33 * root_3));
+    return vec2(cornea.x - r * r / (_S40 * (1.0 + root_3)), -1.0 / (_S40 * root_3));
 }
 
 vec2 skin_eye_profile(float r, vec4 cornea, vec4 limbus)
 {
-    float _S34 = limbus.x;
-    float _S35 = limbus.y;
-    float inner_0 = _S34 - _S35;
-    float outer_0 = _S34 + _S35;
+    float _S41 = limbus.x;
+    float _S42 = limbus.y;
+    float inner_0 = _S41 - _S42;
+    float outer_0 = _S41 + _S42;
     float width_0 = outer_0 - inner_0;
     if(r < inner_0)
     {
@@ -716,21 +788,21 @@ vec2 skin_eye_profile(float r, vec4 cornea, vec4 limbus)
     }
     if(r >= outer_0)
     {
-        float _S36 = limbus.z;
-        float sphere_0 = skin_eye_root(_S36 * _S36 - r * r);
+        float _S43 = limbus.z;
+        float sphere_0 = skin_eye_root(_S43 * _S43 - r * r);
         return vec2(sphere_0, -1.0 / sphere_0);
     }
     vec2 start_0 = skin_eye_conic(inner_0, cornea);
-    float _S37 = limbus.z;
-    float end_0 = skin_eye_root(_S37 * _S37 - outer_0 * outer_0);
+    float _S44 = limbus.z;
+    float end_0 = skin_eye_root(_S44 * _S44 - outer_0 * outer_0);
     float m0_0 = width_0 * inner_0 * start_0.y;
     float m1_0 = - width_0 * outer_0 / end_0;
     float t_2 = (r - inner_0) / width_0;
-    float _S38 = start_0.x;
-    float rise_0 = end_0 - _S38;
-    float c2_0 = 3.0 * rise_0 - 2.0 * m0_0 - m1_0;
-    float c3_0 = m0_0 + m1_0 - 2.0 * rise_0;
-    return vec2(_S38 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0 * c2_0 + t_2 * (3.0 * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07)));
+    float _S45 = start_0.x;
+    float rise_1 = end_0 - _S45;
+    float c2_0 = 3.0 * rise_1 - 2.0 * m0_0 - m1_0;
+    float c3_0 = m0_0 + m1_0 - 2.0 * rise_1;
+    return vec2(_S45 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0 * c2_0 + t_2 * (3.0 * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07)));
 }
 
 float skin_eye_height(float r_mm, vec4 cornea, vec4 limbus)
@@ -740,8 +812,8 @@ float skin_eye_height(float r_mm, vec4 cornea, vec4 limbus)
 
 vec3 skin_eye_normal(vec3 position_mm, vec4 cornea, vec4 limbus)
 {
-    vec2 _S39 = position_mm.xy;
-    float r_4 = sqrt(dot(_S39, _S39));
+    vec2 _S46 = position_mm.xy;
+    float r_4 = sqrt(dot(_S46, _S46));
     float slope_over_r_0 = skin_eye_profile(r_4, cornea, limbus).y;
     bool in_front_0;
     if((position_mm.z) > 0.0)
@@ -752,30 +824,30 @@ vec3 skin_eye_normal(vec3 position_mm, vec4 cornea, vec4 limbus)
     {
         in_front_0 = false;
     }
-    vec3 normal_12 = vec3(- slope_over_r_0 * _S39, 1.0);
-    vec3 _S40;
+    vec3 normal_12 = vec3(- slope_over_r_0 * _S46, 1.0);
+    vec3 _S47;
     if(in_front_0)
     {
-        _S40 = normal_12;
+        _S47 = normal_12;
     }
     else
     {
-        _S40 = position_mm;
+        _S47 = position_mm;
     }
-    return skin_unit_vectors(_S40);
+    return skin_unit_vectors(_S47);
 }
 
 vec4 skin_eye_cornea_hit(vec3 origin_mm, vec3 direction, vec4 cornea)
 {
     float q_1 = 1.0 + cornea.z;
     float s_2 = cornea.x - origin_mm.z;
-    float _S41 = direction.z;
-    vec2 _S42 = origin_mm.xy;
-    float _S43 = cornea.y;
-    float _S44 = q_1 * s_2;
-    float b_1 = dot(_S42, direction.xy) + _S41 * (_S43 - _S44);
-    float c_0 = dot(_S42, _S42) - 2.0 * _S43 * s_2 + _S44 * s_2;
-    float radicand_0 = b_1 * b_1 - (1.0 - (1.0 - q_1) * _S41 * _S41) * c_0;
+    float _S48 = direction.z;
+    vec2 _S49 = origin_mm.xy;
+    float _S50 = cornea.y;
+    float _S51 = q_1 * s_2;
+    float b_1 = dot(_S49, direction.xy) + _S48 * (_S50 - _S51);
+    float c_0 = dot(_S49, _S49) - 2.0 * _S50 * s_2 + _S51 * s_2;
+    float radicand_0 = b_1 * b_1 - (1.0 - (1.0 - q_1) * _S48 * _S48) * c_0;
     bool meets_0;
     if(radicand_0 >= 0.0)
     {
@@ -794,7 +866,7 @@ vec4 skin_eye_cornea_hit(vec3 origin_mm, vec3 direction, vec4 cornea)
     {
         distance_0 = 0.0;
     }
-    vec3 _S45 = origin_mm + distance_0 * direction;
+    vec3 _S52 = origin_mm + distance_0 * direction;
     if(meets_0)
     {
         distance_0 = 1.0;
@@ -803,7 +875,7 @@ vec4 skin_eye_cornea_hit(vec3 origin_mm, vec3 direction, vec4 cornea)
     {
         distance_0 = 0.0;
     }
-    return vec4(_S45, distance_0);
+    return vec4(_S52, distance_0);
 }
 
 float skin_smooth(float t)
@@ -814,29 +886,29 @@ float skin_smooth(float t)
 
 float skin_eye_limbal_opacity(float r_mm, vec4 limbus)
 {
-    float _S46 = limbus.y;
-    return skin_smooth((r_mm - limbus.x + _S46) / (2.0 * _S46));
+    float _S53 = limbus.y;
+    return skin_smooth((r_mm - limbus.x + _S53) / (2.0 * _S53));
 }
 
 vec3 skin_eye_iris_hit(vec3 position_mm, vec3 normal, vec3 view, vec4 cornea, vec4 iris)
 {
     float eta_0 = 1.0 / cornea.w;
-    float _S47 = max(dot(normal, view), 0.0);
-    vec3 d_1 = (eta_0 * _S47 - sqrt(max(1.0 - eta_0 * eta_0 * (1.0 - _S47 * _S47), 0.0))) * normal - eta_0 * view;
+    float _S54 = max(dot(normal, view), 0.0);
+    vec3 d_1 = (eta_0 * _S54 - sqrt(max(1.0 - eta_0 * eta_0 * (1.0 - _S54 * _S54), 0.0))) * normal - eta_0 * view;
     float h_0 = iris.x - position_mm.z;
-    float _S48 = iris.y;
-    float m2_0 = _S48 * _S48;
-    float _S49 = d_1.z;
-    vec2 _S50 = d_1.xy;
-    float a_1 = _S49 * _S49 - m2_0 * dot(_S50, _S50);
-    vec2 _S51 = position_mm.xy;
-    float b_2 = h_0 * _S49 + m2_0 * dot(_S51, _S50);
-    float e_0 = h_0 * h_0 - m2_0 * dot(_S51, _S51);
-    vec2 apart_0 = h_0 * _S50 + _S49 * _S51;
+    float _S55 = iris.y;
+    float m2_0 = _S55 * _S55;
+    float _S56 = d_1.z;
+    vec2 _S57 = d_1.xy;
+    float a_1 = _S56 * _S56 - m2_0 * dot(_S57, _S57);
+    vec2 _S58 = position_mm.xy;
+    float b_2 = h_0 * _S56 + m2_0 * dot(_S58, _S57);
+    float e_0 = h_0 * h_0 - m2_0 * dot(_S58, _S58);
+    vec2 apart_0 = h_0 * _S57 + _S56 * _S58;
     float cross_product_0 = d_1.x * position_mm.y - d_1.y * position_mm.x;
-    float root_4 = abs(_S48) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0));
+    float root_4 = abs(_S55) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0));
     float distance_1;
-    if(_S48 < 0.0)
+    if(_S55 < 0.0)
     {
         distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07);
     }
@@ -849,10 +921,10 @@ vec3 skin_eye_iris_hit(vec3 position_mm, vec3 normal, vec3 view, vec4 cornea, ve
 
 vec2 skin_eye_iris_uv(vec3 hit_mm, vec4 iris, float pupil_in_map, vec4 iris_uv)
 {
-    vec2 _S52 = hit_mm.xy;
-    float r_5 = sqrt(dot(_S52, _S52));
+    vec2 _S59 = hit_mm.xy;
+    float r_5 = sqrt(dot(_S59, _S59));
     float pupil_0 = iris.w;
-    float _S53 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07), 1.0);
+    float _S60 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07), 1.0);
     float radius_0;
     if(r_5 < pupil_0)
     {
@@ -860,15 +932,15 @@ vec2 skin_eye_iris_uv(vec3 hit_mm, vec4 iris, float pupil_in_map, vec4 iris_uv)
     }
     else
     {
-        radius_0 = pupil_in_map + (1.0 - pupil_in_map) * _S53;
+        radius_0 = pupil_in_map + (1.0 - pupil_in_map) * _S60;
     }
     float scale_0 = iris_uv.z * radius_0 / max(r_5, 9.99999997475242708e-07);
     float angle_0 = 6.28318548202514648 * iris_uv.w;
-    float cosine_3 = cos(angle_0);
+    float cosine_4 = cos(angle_0);
     float sine_0 = sin(angle_0);
-    float _S54 = hit_mm.x;
-    float _S55 = hit_mm.y;
-    return vec2(iris_uv.x + scale_0 * (cosine_3 * _S54 - sine_0 * _S55), iris_uv.y - scale_0 * (sine_0 * _S54 + cosine_3 * _S55));
+    float _S61 = hit_mm.x;
+    float _S62 = hit_mm.y;
+    return vec2(iris_uv.x + scale_0 * (cosine_4 * _S61 - sine_0 * _S62), iris_uv.y - scale_0 * (sine_0 * _S61 + cosine_4 * _S62));
 }
 
 vec3 skin_eye_iris_parallax(vec3 hit_mm, vec3 direction, vec3 iris_normal, float height_mm)
@@ -879,16 +951,16 @@ vec3 skin_eye_iris_parallax(vec3 hit_mm, vec3 direction, vec3 iris_normal, float
 float skin_eye_warped(float cosine)
 {
     float size_1 = pow(max(abs(cosine), 9.99999971718068537e-10), 0.69999998807907104);
-    float _S56;
+    float _S63;
     if(cosine < 0.0)
     {
-        _S56 = - size_1;
+        _S63 = - size_1;
     }
     else
     {
-        _S56 = size_1;
+        _S63 = size_1;
     }
-    return _S56;
+    return _S63;
 }
 
 float skin_eye_slice(float cosine)
@@ -899,39 +971,39 @@ float skin_eye_slice(float cosine)
 
 vec3 skin_eye_light(sampler2D lut, vec4 lut_axes, vec3 hit_mm, vec3 light)
 {
-    vec2 _S57 = light.xy;
-    float across_1 = sqrt(dot(_S57, _S57));
+    vec2 _S64 = light.xy;
+    float across_1 = sqrt(dot(_S64, _S64));
     vec2 turn_0;
     if(across_1 > 9.99999997475242708e-07)
     {
-        turn_0 = _S57 / across_1;
+        turn_0 = _S64 / across_1;
     }
     else
     {
         turn_0 = vec2(1.0, 0.0);
     }
     float x_10 = dot(hit_mm.xy, turn_0);
-    float _S58 = turn_0.x;
-    float _S59 = turn_0.y;
-    float y_2 = hit_mm.y * _S58 - hit_mm.x * _S59;
+    float _S65 = turn_0.x;
+    float _S66 = turn_0.y;
+    float y_2 = hit_mm.y * _S65 - hit_mm.x * _S66;
     float index_0 = skin_eye_slice(light.z);
-    float _S60 = min(floor(index_0), 14.0);
-    float row_2 = 0.5 + 15.0 * min(abs(y_2) / (- lut_axes.x * 31.0 / 32.0), 1.0) + 16.0 * _S60;
-    vec2 _S61 = lut_axes.xz;
-    vec2 _S62 = lut_axes.yw;
-    vec3 first_0 = (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2) - _S61) * _S62)), (0.0))).xyz;
-    vec3 second_0 = (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2 + 16.0) - _S61) * _S62)), (0.0))).xyz;
+    float _S67 = min(floor(index_0), 14.0);
+    float row_2 = 0.5 + 15.0 * min(abs(y_2) / (- lut_axes.x * 31.0 / 32.0), 1.0) + 16.0 * _S67;
+    vec2 _S68 = lut_axes.xz;
+    vec2 _S69 = lut_axes.yw;
+    vec3 first_0 = (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2) - _S68) * _S69)), (0.0))).xyz;
+    vec3 second_0 = (textureLod((lut), (skin_saturate_2((vec2(x_10, row_2 + 16.0) - _S68) * _S69)), (0.0))).xyz;
     float straight_0 = 1.0 - min(across_1 / 0.50550216436386108, 1.0);
     float moved_0;
-    if(_S60 > 13.5)
+    if(_S67 > 13.5)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S60;
+        moved_0 = index_0 - _S67;
     }
-    vec3 value_1 = mix(first_0, second_0, vec3(index_0 - _S60, moved_0, moved_0));
+    vec3 value_1 = mix(first_0, second_0, vec3(index_0 - _S67, moved_0, moved_0));
     float entry_y_0;
     if(y_2 < 0.0)
     {
@@ -941,25 +1013,25 @@ vec3 skin_eye_light(sampler2D lut, vec4 lut_axes, vec3 hit_mm, vec3 light)
     {
         entry_y_0 = value_1.z;
     }
-    float _S63 = value_1.y;
-    return vec3(value_1.x, _S63 * _S58 - entry_y_0 * _S59, _S63 * _S59 + entry_y_0 * _S58);
+    float _S70 = value_1.y;
+    return vec3(value_1.x, _S70 * _S65 - entry_y_0 * _S66, _S70 * _S66 + entry_y_0 * _S65);
 }
 
 vec4 skin_eye_ambient(sampler2D lut, vec4 lut_axes, float r_mm)
 {
-    vec2 _S64 = lut_axes.xz;
-    vec2 _S65 = lut_axes.yw;
-    return vec4((textureLod((lut), (skin_saturate_2((vec2(r_mm, 0.0) - _S64) * _S65)), (0.0))).xyz, (textureLod((lut), (skin_saturate_2((vec2(r_mm, 1.0) - _S64) * _S65)), (0.0))).xyz.x);
+    vec2 _S71 = lut_axes.xz;
+    vec2 _S72 = lut_axes.yw;
+    return vec4((textureLod((lut), (skin_saturate_2((vec2(r_mm, 0.0) - _S71) * _S72)), (0.0))).xyz, (textureLod((lut), (skin_saturate_2((vec2(r_mm, 1.0) - _S71) * _S72)), (0.0))).xyz.x);
 }
 
 float skin_dielectric_fresnel(float cosine, float index)
 {
     float c_1 = skin_saturate_0(cosine);
-    float _S66 = index * index;
-    float inside_0 = sqrt(max(_S66 - 1.0 + c_1 * c_1, 0.0));
+    float _S73 = index * index;
+    float inside_0 = sqrt(max(_S73 - 1.0 + c_1 * c_1, 0.0));
     float s_3 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07);
-    float _S67 = _S66 * c_1;
-    float p_2 = (_S67 - inside_0) / max(_S67 + inside_0, 9.99999997475242708e-07);
+    float _S74 = _S73 * c_1;
+    float p_2 = (_S74 - inside_0) / max(_S74 + inside_0, 9.99999997475242708e-07);
     return 0.5 * (s_3 * s_3 + p_2 * p_2);
 }
 
@@ -973,9 +1045,9 @@ float skin_lamp_highlight(vec3 reflected, vec3 light, float lamp, float roughnes
     vec3 apart_1 = reflected - light;
     float chord2_0 = dot(apart_1, apart_1);
     float wide_1 = sqrt(lamp * lamp + roughness * roughness);
-    float _S68 = max(roughness, 0.00009999999747379);
+    float _S75 = max(roughness, 0.00009999999747379);
     float sine_1 = sin(wide_1);
-    return skin_smooth((wide_1 + _S68 - sqrt(chord2_0) * (1.0 + chord2_0 * (0.0416666679084301 + chord2_0 * 0.00468750018626451))) / (2.0 * _S68)) / (sine_1 * sine_1 + _S68 * _S68 / 5.0);
+    return skin_smooth((wide_1 + _S75 - sqrt(chord2_0) * (1.0 + chord2_0 * (0.0416666679084301 + chord2_0 * 0.00468750018626451))) / (2.0 * _S75)) / (sine_1 * sine_1 + _S75 * _S75 / 5.0);
 }
 
 float skin_pupil_radius(float luminance)
@@ -985,9 +1057,9 @@ float skin_pupil_radius(float luminance)
 
 float skin_lid_share(vec3 position_mm, vec3 exit_mm, float penumbra, float ramp, vec4 lid)
 {
-    float _S69 = lid.w;
-    vec3 _S70 = lid.xyz;
-    return skin_smooth((_S69 - dot(_S70, exit_mm)) / penumbra + 0.5) * skin_saturate_0((_S69 - dot(_S70, position_mm)) / ramp + 0.5);
+    float _S76 = lid.w;
+    vec3 _S77 = lid.xyz;
+    return skin_smooth((_S76 - dot(_S77, exit_mm)) / penumbra + 0.5) * skin_saturate_0((_S76 - dot(_S77, position_mm)) / ramp + 0.5);
 }
 
 float skin_lid_visibility(vec3 position_mm, vec3 direction, float spread, float margin_mm, vec4 upper, vec4 lower, float radius_mm)
@@ -995,43 +1067,43 @@ float skin_lid_visibility(vec3 position_mm, vec3 direction, float spread, float 
     float along_1 = dot(position_mm, direction);
     float distance_2 = sqrt(max(along_1 * along_1 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0)) - along_1;
     vec3 exit_mm_1 = position_mm + distance_2 * direction;
-    float _S71 = max(2.0 * distance_2 * spread, 0.00009999999747379);
-    float _S72 = max(2.0 * margin_mm, 0.00009999999747379);
-    return skin_lid_share(position_mm, exit_mm_1, _S71, _S72, upper) * skin_lid_share(position_mm, exit_mm_1, _S71, _S72, lower);
+    float _S78 = max(2.0 * distance_2 * spread, 0.00009999999747379);
+    float _S79 = max(2.0 * margin_mm, 0.00009999999747379);
+    return skin_lid_share(position_mm, exit_mm_1, _S78, _S79, upper) * skin_lid_share(position_mm, exit_mm_1, _S78, _S79, lower);
 }
 
 float skin_lid_hidden(vec3 position_mm, vec3 normal, vec4 lid, float radius_mm)
 {
-    vec3 _S73 = lid.xyz;
-    float toward_0 = dot(_S73, normal);
+    vec3 _S80 = lid.xyz;
+    float toward_0 = dot(_S80, normal);
     float tangent_0 = sqrt(max(1.0 - toward_0 * toward_0, 0.00009999999747379));
-    float bare_0 = lid.w - dot(_S73, position_mm);
-    vec3 foot_0 = position_mm + bare_0 * _S73;
-    float along_2 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S73 - toward_0 * normal) / tangent_0));
+    float bare_0 = lid.w - dot(_S80, position_mm);
+    vec3 foot_0 = position_mm + bare_0 * _S80;
+    float along_2 = dot(foot_0, tangent_0 * normal - toward_0 * ((_S80 - toward_0 * normal) / tangent_0));
     float radicand_1 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
     float length_0 = sqrt(max(radicand_1, 0.0)) - along_2;
     float above_0 = bare_0 * toward_0 + length_0 * tangent_0;
     float beside_0 = bare_0 * tangent_0 - length_0 * toward_0;
-    float cosine_7 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379);
-    bool _S74;
+    float cosine_8 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379);
+    bool _S81;
     if(above_0 > 0.0)
     {
-        _S74 = radicand_1 > 0.0;
+        _S81 = radicand_1 > 0.0;
     }
     else
     {
-        _S74 = false;
+        _S81 = false;
     }
-    float _S75;
-    if(_S74)
+    float _S82;
+    if(_S81)
     {
-        _S75 = 0.5 * (1.0 - cosine_7);
+        _S82 = 0.5 * (1.0 - cosine_8);
     }
     else
     {
-        _S75 = 0.0;
+        _S82 = 0.0;
     }
-    return _S75;
+    return _S82;
 }
 
 float skin_lid_openness(vec3 position_mm, vec3 normal, vec4 upper, vec4 lower, float radius_mm)
@@ -1048,19 +1120,19 @@ float skin_lid_iris_hidden(vec3 position_mm, float narrowed, vec4 lid)
 
 float skin_lid_iris_openness(vec3 hit_mm, vec4 cornea, vec4 limbus, vec4 upper, vec4 lower)
 {
-    vec2 _S76 = hit_mm.xy;
-    float _S77 = limbus.x;
-    float squared_1 = dot(_S76, _S76) / (_S77 * _S77);
+    vec2 _S83 = hit_mm.xy;
+    float _S84 = limbus.x;
+    float squared_1 = dot(_S83, _S83) / (_S84 * _S84);
     float rim_0 = squared_1 * squared_1;
-    vec2 entry_1 = (0.82999998331069946 + 0.40999999642372131 * rim_0) * _S76;
-    float _S78 = max(1.0 - 1.12000000476837158 * rim_0, 0.05000000074505806);
-    vec3 position_1 = vec3(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
-    return skin_saturate_0(1.0 - skin_lid_iris_hidden(position_1, _S78, upper) - skin_lid_iris_hidden(position_1, _S78, lower));
+    vec2 entry_1 = (0.82999998331069946 + 0.40999999642372131 * rim_0) * _S83;
+    float _S85 = max(1.0 - 1.12000000476837158 * rim_0, 0.05000000074505806);
+    vec3 position_2 = vec3(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
+    return skin_saturate_0(1.0 - skin_lid_iris_hidden(position_2, _S85, upper) - skin_lid_iris_hidden(position_2, _S85, lower));
 }
 
 vec3 skin_tear_normal(vec3 position_mm, vec3 normal, vec4 lid, float height_mm)
 {
-    vec3 _S79 = lid.xyz;
-    float sine_2 = skin_saturate_0(1.0 - (lid.w - dot(_S79, position_mm)) / max(height_mm, 0.00009999999747379));
-    return skin_unit_vectors(sqrt(max(1.0 - sine_2 * sine_2, 0.0)) * normal - sine_2 * skin_unit_vectors(_S79 - dot(_S79, normal) * normal));
+    vec3 _S86 = lid.xyz;
+    float sine_2 = skin_saturate_0(1.0 - (lid.w - dot(_S86, position_mm)) / max(height_mm, 0.00009999999747379));
+    return skin_unit_vectors(sqrt(max(1.0 - sine_2 * sine_2, 0.0)) * normal - sine_2 * skin_unit_vectors(_S86 - dot(_S86, normal) * normal));
 }

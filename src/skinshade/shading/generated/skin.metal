@@ -1,6 +1,7 @@
 // The skinshade library, generated from shading/*.slang by `python -m codegen`.
 #include <metal_stdlib>
 using namespace metal;
+constant array<float2, int(12)> SKIN_CONTACT_DISK = { float2(0.16725532710552216f, 0.0f), float2(-0.21519750356674194f, 0.19713853299617767f), float2(0.0332011915743351f, -0.3783104419708252f), float2(0.27573889493942261f, 0.35965254902839661f), float2(-0.51071953773498535f, -0.09033908694982529f), float2(0.48873069882392883f, -0.31089046597480774f), float2(-0.16532173752784729f, 0.61498862504959106f), float2(-0.31931877136230469f, -0.61482888460159302f), float2(0.70304751396179199f, 0.25675183534622192f), float2(-0.74441087245941162f, 0.3072819709777832f), float2(0.36706140637397766f, -0.78438889980316162f), float2(0.28072324395179749f, 0.89498996734619141f) };
 constant array<float2, int(48)> SKIN_SHADOW_DISK_48 = { float2(0.08340597897768021f, 0.0f), float2(-0.10671073943376541f, 0.09775578230619431f), float2(0.01636306010186672f, -0.1864485889673233f), float2(0.13498826324939728f, 0.17606829106807709f), float2(-0.24817833304405212f, -0.04389924928545952f), float2(0.2355383038520813f, -0.14983019232749939f), float2(-0.07893361896276474f, 0.29362913966178894f), float2(-0.15082783997058868f, -0.29040983319282532f), float2(0.32788398861885071f, 0.11974270641803741f), float2(-0.34179624915122986f, 0.14108851552009583f), float2(0.16510665416717529f, -0.35282331705093384f), float2(0.12226484715938568f, 0.38979959487915039f), float2(-0.36929354071617126f, -0.21401314437389374f), float2(0.4341655969619751f, -0.09545008838176727f), float2(-0.2655525803565979f, 0.37772122025489807f), float2(-0.06148780882358551f, -0.47449716925621033f), float2(0.37834861874580383f, 0.31887263059616089f), float2(-0.51034331321716309f, 0.02110430039465427f), float2(0.37315717339515686f, -0.37134122848510742f), float2(-0.02502750046551228f, 0.54124277830123901f), float2(-0.3568427562713623f, -0.42761686444282532f), float2(0.56674838066101074f, 0.0762551873922348f), float2(-0.48148587346076965f, 0.33500534296035767f), float2(0.13193005323410034f, -0.58644229173660278f), float2(0.30600649118423462f, 0.53402209281921387f), float2(-0.59994620084762573f, -0.1913992166519165f), float2(0.58451014757156372f, -0.27005851268768311f), float2(-0.25400349497795105f, 0.60692840814590454f), float2(-0.22741274535655975f, -0.63226538896560669f), float2(0.60710901021957397f, 0.31907948851585388f), float2(-0.6766400933265686f, 0.17836016416549683f), float2(0.38596493005752563f, -0.60026413202285767f), float2(0.12322843074798584f, 0.71703100204467773f), float2(-0.58622837066650391f, -0.45400822162628174f), float2(0.75288873910903931f, -0.06237528845667839f), float2(-0.52258288860321045f, 0.56489682197570801f), float2(0.0038233099039644f, -0.78373259305953979f), float2(0.53622621297836304f, 0.59111112356185913f), float2(-0.80917233228683472f, -0.07499390840530396f), float2(0.65910446643829346f, -0.50023680925369263f), float2(-0.15080370008945465f, 0.82895052433013916f), float2(-0.45701694488525391f, -0.72624564170837402f), float2(0.84303575754165649f, 0.23104114830493927f), float2(-0.79258495569229126f, 0.40674149990081787f), float2(0.31582745909690857f, -0.85189038515090942f), float2(0.34976369142532349f, 0.85918575525283813f), float2(-0.85765814781188965f, -0.40646019577980042f), float2(0.93254464864730835f, -0.28751349449157715f) };
 constant array<float2, int(16)> SKIN_SHADOW_DISK_16 = { float2(0.14471825957298279f, 0.0f), float2(-0.18583981692790985f, 0.170244500041008f), float2(0.02860930934548378f, -0.32598838210105896f), float2(0.23701368272304535f, 0.30914238095283508f), float2(-0.43773865699768066f, -0.07742980122566223f), float2(0.41749045252799988f, -0.26557326316833496f), float2(-0.14065909385681152f, 0.52324479818344116f), float2(-0.27035140991210938f, -0.52054518461227417f), float2(0.59152573347091675f, 0.21602423489093781f), float2(-0.6210860013961792f, 0.25637525320053101f), float2(0.30247461795806885f, -0.64637070894241333f), float2(0.22609943151473999f, 0.72084063291549683f), float2(-0.69051814079284668f, -0.40016940236091614f), float2(0.82290405035018921f, -0.18091315031051636f), float2(-0.5123591423034668f, 0.7287781834602356f), float2(-0.12196926772594452f, -0.94122844934463501f) };
 constant array<float2, int(32)> SKIN_POISSON_32 = { float2(-0.02096010930836201f, 0.01299272011965513f), float2(0.69517123699188232f, -0.04910685122013092f), float2(0.28034570813179016f, 0.66283899545669556f), float2(0.03107489086687565f, -0.69704329967498779f), float2(-0.49904009699821472f, 0.54098159074783325f), float2(-0.70408397912979126f, -0.14709833264350891f), float2(0.53451526165008545f, -0.56702268123626709f), float2(-0.48678380250930786f, -0.61486828327178955f), float2(0.68837428092956543f, 0.41418349742889404f), float2(-0.14107078313827515f, 0.8102262020111084f), float2(0.21897397935390472f, -0.3123532235622406f), float2(0.31406453251838684f, 0.24951401352882385f), float2(-0.83115619421005249f, 0.28457203507423401f), float2(-0.40699386596679688f, 0.14198443293571472f), float2(-0.10747358947992325f, 0.41360348463058472f), float2(-0.19334819912910461f, -0.34689420461654663f), float2(0.80768358707427979f, -0.37000563740730286f), float2(0.33436411619186401f, -0.82407790422439575f), float2(-0.79105347394943237f, -0.45378401875495911f), float2(-0.23485180735588074f, -0.86940687894821167f), float2(0.37255629897117615f, -0.05855973064899445f), float2(0.5726354718208313f, 0.72984015941619873f), float2(0.8966706395149231f, 0.17047682404518127f), float2(-0.43273070454597473f, 0.81860679388046265f), float2(0.1212853416800499f, 0.92984902858734131f), float2(-0.42749753594398499f, -0.15111121535301208f), float2(-0.94129812717437744f, 0.00735718011856079f), float2(0.52211439609527588f, -0.28702935576438904f), float2(-0.79033631086349487f, 0.5402228832244873f), float2(-0.23410981893539429f, -0.59940856695175171f), float2(0.28244560956954956f, -0.563071608543396f), float2(0.57051312923431396f, 0.18359191715717316f) };
@@ -351,12 +352,85 @@ float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, flo
     return _S18 / (_S18 + _S19 * _S19);
 }
 
+float2 skin_contact_slope(float3 face_normal, float3 to_light, float3 light_right, float3 light_up)
+{
+    float3 axis_1 = cross(light_right, light_up);
+    float handedness_1;
+    if((dot(to_light, axis_1)) < 0.0f)
+    {
+        handedness_1 = -1.0f;
+    }
+    else
+    {
+        handedness_1 = 1.0f;
+    }
+    return float2(dot(face_normal, light_right), - dot(face_normal, light_up)) / float2(max(handedness_1 * dot(face_normal, axis_1), 0.05000000074505806f)) ;
+}
+
+float skin_faded_contact(float share, float cosine)
+{
+    return 1.0f - saturate((cosine - 0.05000000074505806f) / 0.10000000894069672f) * (1.0f - share);
+}
+
+float skin_contact_bias(float2 slope)
+{
+    return 0.80000001192092896f + 0.30000001192092896f * length(slope);
+}
+
+float skin_contact_compare(float4 depths, float receiver_mm, float2 rise, float2 weights)
+{
+    float _S20 = rise.x;
+    float _S21 = rise.y;
+    float4 lit_1 = step(float4(receiver_mm)  + float4(0.0f, _S20, _S21, _S20 + _S21), depths);
+    float2 rows_2 = mix(lit_1.xz, lit_1.yw, float2(weights.x) );
+    return mix(rows_2.x, rows_2.y, weights.y);
+}
+
+float skin_contact_filter(texture2d<float, access::sample> depth_map, sampler depth_map_sampler, float2 map_extent, float4x4 view, float4x4 projection, float3 position_mm, float3 face_normal, float3 to_light)
+{
+    float4 coordinates_1 = skin_light_coordinates(position_mm, view, projection);
+    float2 slope_6 = skin_contact_slope(face_normal, to_light, view[int(0)].xyz, view[int(1)].xyz);
+    float2 _S22 = float2(0.5f) ;
+    float2 texels_per_mm_0 = _S22 * float2(abs(projection[int(0)].x), abs(projection[int(1)].y)) / float2(abs(coordinates_1.w))  * map_extent;
+    float2 _S23 = slope_6 / texels_per_mm_0;
+    float2 _S24 = coordinates_1.xy * map_extent - _S22;
+    float _S25 = coordinates_1.z - skin_contact_bias(slope_6);
+    int tap_2 = int(0);
+    float total_5 = 0.0f;
+    for(;;)
+    {
+        if(tap_2 < int(12))
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2 position_1 = _S24 + float2(0.60000002384185791f)  * SKIN_CONTACT_DISK[tap_2] * texels_per_mm_0;
+        float2 corner_1 = floor(position_1);
+        float2 _S26 = float2(0.0f) ;
+        float2 _S27 = float2(1.0f) ;
+        float2 _S28 = map_extent - _S27;
+        float2 low_2 = (clamp(corner_1, _S26, _S28) + _S22) / map_extent;
+        float2 high_2 = (clamp(corner_1 + _S27, _S26, _S28) + _S22) / map_extent;
+        float total_6 = total_5 + skin_contact_compare(float4(skin_linear_depth(((depth_map).sample((depth_map_sampler), (low_2), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (float2(high_2.x, low_2.y)), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (float2(low_2.x, high_2.y)), level((0.0f)))).x, projection), skin_linear_depth(((depth_map).sample((depth_map_sampler), (high_2), level((0.0f)))).x, projection)), _S25 + dot(corner_1 - _S24, _S23), _S23, position_1 - corner_1);
+        tap_2 = tap_2 + int(1);
+        total_5 = total_6;
+    }
+    return skin_faded_contact(total_5 / 12.0f, dot(face_normal, to_light));
+}
+
+float3 skin_contact_shadow(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float3 shadow, float contact, float filter_width_mm)
+{
+    return min(shadow, float3(contact)  + float3((1.0f - contact))  * skin_diffused_shadow(lut, lut_sampler, lut_axes, skin_smoothstep(0.5f - 0.60000002384185791f / filter_width_mm), 1.0f, filter_width_mm));
+}
+
 float3 skin_sh_bands(float3x3 sh, float3 d)
 {
-    float _S20 = d.y;
-    float _S21 = d.z;
-    float _S22 = d.x;
-    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S20 + sh[int(0)].z * _S21 + sh[int(1)].x * _S22), 1.09254848957061768f * (sh[int(1)].y * _S22 * _S20 + sh[int(1)].z * _S20 * _S21 + sh[int(2)].y * _S22 * _S21) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S21 * _S21 - dot(d, d)) + 0.54627424478530884f * sh[int(2)].z * (_S22 * _S22 - _S20 * _S20));
+    float _S29 = d.y;
+    float _S30 = d.z;
+    float _S31 = d.x;
+    return float3(0.282094806432724f * sh[int(0)].x, 0.48860251903533936f * (sh[int(0)].y * _S29 + sh[int(0)].z * _S30 + sh[int(1)].x * _S31), 1.09254848957061768f * (sh[int(1)].y * _S31 * _S29 + sh[int(1)].z * _S29 * _S30 + sh[int(2)].y * _S31 * _S30) + 0.31539157032966614f * sh[int(2)].x * (3.0f * _S30 * _S30 - dot(d, d)) + 0.54627424478530884f * sh[int(2)].z * (_S31 * _S31 - _S29 * _S29));
 }
 
 float skin_ambient_channel(float3x3 sh, float3 normal, float3 band_transfer)
@@ -398,8 +472,8 @@ float3 skin_transferred_irradiance(float3x3 ambient_transfer_red, float3x3 ambie
 float skin_reflected_visibility(float3x3 sky_harmonics, float3 normal, float3 direction)
 {
     float3 bands_0 = skin_sh_bands(sky_harmonics, direction);
-    float _S23 = max(dot(normal, direction), 0.0f);
-    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S23 * (2.0f + 1.875f * _S23)) * 0.07957746833562851f));
+    float _S32 = max(dot(normal, direction), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S32 * (2.0f + 1.875f * _S32)) * 0.07957746833562851f));
 }
 
 float3 skin_occluded_reflection(float3 sky, float3 bounced, float3x3 sky_harmonics, float3 normal, float3 direction)
@@ -437,16 +511,16 @@ float skin_gloss_of_relief(float gloss, float normal_length)
 
 float skin_gloss_from_roughness(float roughness)
 {
-    float _S24 = max(roughness, 0.00100000004749745f);
-    float r2_0 = _S24 * _S24;
+    float _S33 = max(roughness, 0.00100000004749745f);
+    float r2_0 = _S33 * _S33;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 float skin_lobe(float n_dot_h, float n_dot_l, float n_dot_v, float power)
 {
     float k_0 = rsqrt(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    float _S25 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S25 * n_dot_l) * (k_0 + _S25 * n_dot_v)));
+    float _S34 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S34 * n_dot_l) * (k_0 + _S34 * n_dot_v)));
 }
 
 float skin_specular(float3 normal, float3 view, float3 light, float gloss, float reflectance)
@@ -491,11 +565,11 @@ float skin_second_gloss(float gloss)
 float skin_coat_fresnel(float cosine, float reflectance)
 {
     float root_1 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
-    float _S26 = 1.0f - root_1;
-    float excess_0 = 4.0f * root_1 / (_S26 * _S26);
-    float _S27 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
-    float across_0 = excess_0 / (_S27 * _S27);
-    float along_0 = (cosine * _S27 - 1.0f) / (cosine * excess_0 / _S27 + 1.0f);
+    float _S35 = 1.0f - root_1;
+    float excess_0 = 4.0f * root_1 / (_S35 * _S35);
+    float _S36 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
+    float across_0 = excess_0 / (_S36 * _S36);
+    float along_0 = (cosine * _S36 - 1.0f) / (cosine * excess_0 / _S36 + 1.0f);
     return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
 }
 
@@ -518,15 +592,15 @@ float skin_coat_highlight(float3 normal, float3 view, float3 light, float gloss,
         sine2_0 = 1.0f;
     }
     float root_2 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
-    float _S28 = 1.0f - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S28 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S28 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+    float _S37 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S37 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S37 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
 }
 
 float2 skin_coat(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float n_dot_v, float gloss, float reflectance, float coat_reflectance)
 {
     float3 entry_0 = ((lut).sample((lut_sampler), (saturate((float2(sqrt(saturate(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw)), level((0.0f)))).xyz;
-    float _S29 = entry_0.z;
-    return float2(clamp(_S29 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S29), 0.0f, _S29), entry_0.y);
+    float _S38 = entry_0.z;
+    return float2(clamp(_S38 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S38), 0.0f, _S38), entry_0.y);
 }
 
 float3 skin_coat_direction(float3 normal, float3 view, float pull)
@@ -538,13 +612,13 @@ float3 skin_coat_direction(float3 normal, float3 view, float pull)
 float skin_turns(float y, float x)
 {
     float2 size_0 = abs(float2(x, y));
-    float _S30 = size_0.x;
-    float _S31 = size_0.y;
-    float r_0 = min(_S30, _S31) / max(max(_S30, _S31), 1.00000000317107685e-30f);
+    float _S39 = size_0.x;
+    float _S40 = size_0.y;
+    float r_0 = min(_S39, _S40) / max(max(_S39, _S40), 1.00000000317107685e-30f);
     float r2_1 = r_0 * r_0;
     float turns_0 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     float turns_1;
-    if(_S31 > _S30)
+    if(_S40 > _S39)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -565,9 +639,9 @@ float skin_turns(float y, float x)
 
 float2 skin_equirectangular_uv(float3 direction)
 {
-    float _S32 = direction.x;
-    float _S33 = direction.z;
-    return float2(0.5f + skin_turns(_S33, _S32), 2.0f * skin_turns(sqrt(_S32 * _S32 + _S33 * _S33), direction.y));
+    float _S41 = direction.x;
+    float _S42 = direction.z;
+    return float2(0.5f + skin_turns(_S42, _S41), 2.0f * skin_turns(sqrt(_S41 * _S41 + _S42 * _S42), direction.y));
 }
 
 float skin_reflection_level(float power)
@@ -578,10 +652,10 @@ float skin_reflection_level(float power)
 float3 skin_preconvolved(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float2 uv, float power)
 {
     float level_0 = skin_reflection_level(power);
-    float _S34 = min(floor(level_0), 3.0f);
+    float _S43 = min(floor(level_0), 3.0f);
     float row_1 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    float _S35 = uv.x;
-    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S35, (_S34 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S35, (_S34 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_0 - _S34)) );
+    float _S44 = uv.x;
+    return mix(((preconvolved).sample((preconvolved_sampler), (float2(_S44, (_S43 + row_1) / 5.0f)), level((0.0f)))).xyz, ((preconvolved).sample((preconvolved_sampler), (float2(_S44, (_S43 + 1.0f + row_1) / 5.0f)), level((0.0f)))).xyz, float3((level_0 - _S43)) );
 }
 
 float3 skin_reflected_radiance(texture2d<float, access::sample> preconvolved, sampler preconvolved_sampler, float3 direction, float gloss)
@@ -599,22 +673,22 @@ float3 skin_coat_radiance(texture2d<float, access::sample> preconvolved, sampler
 float3 skin_filmic(float3 light)
 {
     float3 x_2 = max(light - float3(0.00400000018998981f) , float3(0.0f) );
-    float3 _S36 = float3(6.19999980926513672f)  * x_2;
-    return x_2 * (_S36 + float3(0.5f) ) / (x_2 * (_S36 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
+    float3 _S45 = float3(6.19999980926513672f)  * x_2;
+    return x_2 * (_S45 + float3(0.5f) ) / (x_2 * (_S45 + float3(1.70000004768371582f) ) + float3(0.05999999865889549f) );
 }
 
 float skin_srgb_curve(float x)
 {
-    float _S37;
+    float _S46;
     if(x <= 0.00313080009073019f)
     {
-        _S37 = 12.92000007629394531f * x;
+        _S46 = 12.92000007629394531f * x;
     }
     else
     {
-        _S37 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S46 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S37;
+    return _S46;
 }
 
 float3 skin_srgb_from_linear(float3 light)
@@ -625,16 +699,16 @@ float3 skin_srgb_from_linear(float3 light)
 
 float skin_linear_curve(float x)
 {
-    float _S38;
+    float _S47;
     if(x <= 0.04044999927282333f)
     {
-        _S38 = x / 12.92000007629394531f;
+        _S47 = x / 12.92000007629394531f;
     }
     else
     {
-        _S38 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S47 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S38;
+    return _S47;
 }
 
 float3 skin_linear_from_srgb(float3 display)
@@ -680,25 +754,25 @@ float4 skin_eye_cornea(float cornea_radius_mm, float cornea_asphericity, float r
 {
     float r_1 = limbus.x;
     float ratio_0 = r_1 / cornea_radius_mm;
-    float _S39 = r_1 * r_1;
-    float _S40 = limbus.z;
-    return float4(skin_eye_root(_S40 * _S40 - _S39) + _S39 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
+    float _S48 = r_1 * r_1;
+    float _S49 = limbus.z;
+    return float4(skin_eye_root(_S49 * _S49 - _S48) + _S48 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
 }
 
 float2 skin_eye_conic(float r, float4 cornea)
 {
-    float _S41 = cornea.y;
-    float ratio_1 = r / _S41;
+    float _S50 = cornea.y;
+    float ratio_1 = r / _S50;
     float root_3 = skin_eye_root(1.0f - (1.0f + cornea.z) * ratio_1 * ratio_1);
-    return float2(cornea.x - r * r / (_S41 * (1.0f + root_3)), -1.0f / (_S41 * root_3));
+    return float2(cornea.x - r * r / (_S50 * (1.0f + root_3)), -1.0f / (_S50 * root_3));
 }
 
 float2 skin_eye_profile(float r, float4 cornea, float4 limbus)
 {
-    float _S42 = limbus.x;
-    float _S43 = limbus.y;
-    float inner_0 = _S42 - _S43;
-    float outer_0 = _S42 + _S43;
+    float _S51 = limbus.x;
+    float _S52 = limbus.y;
+    float inner_0 = _S51 - _S52;
+    float outer_0 = _S51 + _S52;
     float width_0 = outer_0 - inner_0;
     if(r < inner_0)
     {
@@ -706,21 +780,21 @@ float2 skin_eye_profile(float r, float4 cornea, float4 limbus)
     }
     if(r >= outer_0)
     {
-        float _S44 = limbus.z;
-        float sphere_0 = skin_eye_root(_S44 * _S44 - r * r);
+        float _S53 = limbus.z;
+        float sphere_0 = skin_eye_root(_S53 * _S53 - r * r);
         return float2(sphere_0, -1.0f / sphere_0);
     }
     float2 start_0 = skin_eye_conic(inner_0, cornea);
-    float _S45 = limbus.z;
-    float end_0 = skin_eye_root(_S45 * _S45 - outer_0 * outer_0);
+    float _S54 = limbus.z;
+    float end_0 = skin_eye_root(_S54 * _S54 - outer_0 * outer_0);
     float m0_0 = width_0 * inner_0 * start_0.y;
     float m1_0 = - width_0 * outer_0 / end_0;
     float t_2 = (r - inner_0) / width_0;
-    float _S46 = start_0.x;
-    float rise_0 = end_0 - _S46;
-    float c2_0 = 3.0f * rise_0 - 2.0f * m0_0 - m1_0;
-    float c3_0 = m0_0 + m1_0 - 2.0f * rise_0;
-    return float2(_S46 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
+    float _S55 = start_0.x;
+    float rise_1 = end_0 - _S55;
+    float c2_0 = 3.0f * rise_1 - 2.0f * m0_0 - m1_0;
+    float c3_0 = m0_0 + m1_0 - 2.0f * rise_1;
+    return float2(_S55 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
 }
 
 float skin_eye_height(float r_mm, float4 cornea, float4 limbus)
@@ -730,8 +804,8 @@ float skin_eye_height(float r_mm, float4 cornea, float4 limbus)
 
 float3 skin_eye_normal(float3 position_mm, float4 cornea, float4 limbus)
 {
-    float2 _S47 = position_mm.xy;
-    float r_4 = sqrt(dot(_S47, _S47));
+    float2 _S56 = position_mm.xy;
+    float r_4 = sqrt(dot(_S56, _S56));
     float slope_over_r_0 = skin_eye_profile(r_4, cornea, limbus).y;
     bool in_front_0;
     if((position_mm.z) > 0.0f)
@@ -742,30 +816,30 @@ float3 skin_eye_normal(float3 position_mm, float4 cornea, float4 limbus)
     {
         in_front_0 = false;
     }
-    float3 normal_12 = float3(float2(- slope_over_r_0)  * _S47, 1.0f);
-    float3 _S48;
+    float3 normal_12 = float3(float2(- slope_over_r_0)  * _S56, 1.0f);
+    float3 _S57;
     if(in_front_0)
     {
-        _S48 = normal_12;
+        _S57 = normal_12;
     }
     else
     {
-        _S48 = position_mm;
+        _S57 = position_mm;
     }
-    return skin_unit_vectors(_S48);
+    return skin_unit_vectors(_S57);
 }
 
 float4 skin_eye_cornea_hit(float3 origin_mm, float3 direction, float4 cornea)
 {
     float q_1 = 1.0f + cornea.z;
     float s_2 = cornea.x - origin_mm.z;
-    float _S49 = direction.z;
-    float2 _S50 = origin_mm.xy;
-    float _S51 = cornea.y;
-    float _S52 = q_1 * s_2;
-    float b_1 = dot(_S50, direction.xy) + _S49 * (_S51 - _S52);
-    float c_0 = dot(_S50, _S50) - 2.0f * _S51 * s_2 + _S52 * s_2;
-    float radicand_0 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S49 * _S49) * c_0;
+    float _S58 = direction.z;
+    float2 _S59 = origin_mm.xy;
+    float _S60 = cornea.y;
+    float _S61 = q_1 * s_2;
+    float b_1 = dot(_S59, direction.xy) + _S58 * (_S60 - _S61);
+    float c_0 = dot(_S59, _S59) - 2.0f * _S60 * s_2 + _S61 * s_2;
+    float radicand_0 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S58 * _S58) * c_0;
     bool meets_0;
     if(radicand_0 >= 0.0f)
     {
@@ -784,7 +858,7 @@ float4 skin_eye_cornea_hit(float3 origin_mm, float3 direction, float4 cornea)
     {
         distance_0 = 0.0f;
     }
-    float3 _S53 = origin_mm + float3(distance_0)  * direction;
+    float3 _S62 = origin_mm + float3(distance_0)  * direction;
     if(meets_0)
     {
         distance_0 = 1.0f;
@@ -793,7 +867,7 @@ float4 skin_eye_cornea_hit(float3 origin_mm, float3 direction, float4 cornea)
     {
         distance_0 = 0.0f;
     }
-    return float4(_S53, distance_0);
+    return float4(_S62, distance_0);
 }
 
 float skin_smooth(float t)
@@ -804,29 +878,29 @@ float skin_smooth(float t)
 
 float skin_eye_limbal_opacity(float r_mm, float4 limbus)
 {
-    float _S54 = limbus.y;
-    return skin_smooth((r_mm - limbus.x + _S54) / (2.0f * _S54));
+    float _S63 = limbus.y;
+    return skin_smooth((r_mm - limbus.x + _S63) / (2.0f * _S63));
 }
 
 float3 skin_eye_iris_hit(float3 position_mm, float3 normal, float3 view, float4 cornea, float4 iris)
 {
     float eta_0 = 1.0f / cornea.w;
-    float _S55 = max(dot(normal, view), 0.0f);
-    float3 d_1 = float3((eta_0 * _S55 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S55 * _S55), 0.0f))))  * normal - float3(eta_0)  * view;
+    float _S64 = max(dot(normal, view), 0.0f);
+    float3 d_1 = float3((eta_0 * _S64 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S64 * _S64), 0.0f))))  * normal - float3(eta_0)  * view;
     float h_0 = iris.x - position_mm.z;
-    float _S56 = iris.y;
-    float m2_0 = _S56 * _S56;
-    float _S57 = d_1.z;
-    float2 _S58 = d_1.xy;
-    float a_1 = _S57 * _S57 - m2_0 * dot(_S58, _S58);
-    float2 _S59 = position_mm.xy;
-    float b_2 = h_0 * _S57 + m2_0 * dot(_S59, _S58);
-    float e_0 = h_0 * h_0 - m2_0 * dot(_S59, _S59);
-    float2 apart_0 = float2(h_0)  * _S58 + float2(_S57)  * _S59;
+    float _S65 = iris.y;
+    float m2_0 = _S65 * _S65;
+    float _S66 = d_1.z;
+    float2 _S67 = d_1.xy;
+    float a_1 = _S66 * _S66 - m2_0 * dot(_S67, _S67);
+    float2 _S68 = position_mm.xy;
+    float b_2 = h_0 * _S66 + m2_0 * dot(_S68, _S67);
+    float e_0 = h_0 * h_0 - m2_0 * dot(_S68, _S68);
+    float2 apart_0 = float2(h_0)  * _S67 + float2(_S66)  * _S68;
     float cross_product_0 = d_1.x * position_mm.y - d_1.y * position_mm.x;
-    float root_4 = abs(_S56) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
+    float root_4 = abs(_S65) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
     float distance_1;
-    if(_S56 < 0.0f)
+    if(_S65 < 0.0f)
     {
         distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07f);
     }
@@ -839,10 +913,10 @@ float3 skin_eye_iris_hit(float3 position_mm, float3 normal, float3 view, float4 
 
 float2 skin_eye_iris_uv(float3 hit_mm, float4 iris, float pupil_in_map, float4 iris_uv)
 {
-    float2 _S60 = hit_mm.xy;
-    float r_5 = sqrt(dot(_S60, _S60));
+    float2 _S69 = hit_mm.xy;
+    float r_5 = sqrt(dot(_S69, _S69));
     float pupil_0 = iris.w;
-    float _S61 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
+    float _S70 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
     float radius_0;
     if(r_5 < pupil_0)
     {
@@ -850,15 +924,15 @@ float2 skin_eye_iris_uv(float3 hit_mm, float4 iris, float pupil_in_map, float4 i
     }
     else
     {
-        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S61;
+        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S70;
     }
     float scale_0 = iris_uv.z * radius_0 / max(r_5, 9.99999997475242708e-07f);
     float angle_0 = 6.28318548202514648f * iris_uv.w;
-    float cosine_3 = cos(angle_0);
+    float cosine_4 = cos(angle_0);
     float sine_0 = sin(angle_0);
-    float _S62 = hit_mm.x;
-    float _S63 = hit_mm.y;
-    return float2(iris_uv.x + scale_0 * (cosine_3 * _S62 - sine_0 * _S63), iris_uv.y - scale_0 * (sine_0 * _S62 + cosine_3 * _S63));
+    float _S71 = hit_mm.x;
+    float _S72 = hit_mm.y;
+    return float2(iris_uv.x + scale_0 * (cosine_4 * _S71 - sine_0 * _S72), iris_uv.y - scale_0 * (sine_0 * _S71 + cosine_4 * _S72));
 }
 
 float3 skin_eye_iris_parallax(float3 hit_mm, float3 direction, float3 iris_normal, float height_mm)
@@ -869,16 +943,16 @@ float3 skin_eye_iris_parallax(float3 hit_mm, float3 direction, float3 iris_norma
 float skin_eye_warped(float cosine)
 {
     float size_1 = pow(max(abs(cosine), 9.99999971718068537e-10f), 0.69999998807907104f);
-    float _S64;
+    float _S73;
     if(cosine < 0.0f)
     {
-        _S64 = - size_1;
+        _S73 = - size_1;
     }
     else
     {
-        _S64 = size_1;
+        _S73 = size_1;
     }
-    return _S64;
+    return _S73;
 }
 
 float skin_eye_slice(float cosine)
@@ -889,39 +963,39 @@ float skin_eye_slice(float cosine)
 
 float3 skin_eye_light(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float3 hit_mm, float3 light)
 {
-    float2 _S65 = light.xy;
-    float across_1 = sqrt(dot(_S65, _S65));
+    float2 _S74 = light.xy;
+    float across_1 = sqrt(dot(_S74, _S74));
     float2 turn_0;
     if(across_1 > 9.99999997475242708e-07f)
     {
-        turn_0 = _S65 / float2(across_1) ;
+        turn_0 = _S74 / float2(across_1) ;
     }
     else
     {
         turn_0 = float2(1.0f, 0.0f);
     }
     float x_7 = dot(hit_mm.xy, turn_0);
-    float _S66 = turn_0.x;
-    float _S67 = turn_0.y;
-    float y_2 = hit_mm.y * _S66 - hit_mm.x * _S67;
+    float _S75 = turn_0.x;
+    float _S76 = turn_0.y;
+    float y_2 = hit_mm.y * _S75 - hit_mm.x * _S76;
     float index_0 = skin_eye_slice(light.z);
-    float _S68 = min(floor(index_0), 14.0f);
-    float row_2 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S68;
-    float2 _S69 = lut_axes.xz;
-    float2 _S70 = lut_axes.yw;
-    float3 first_0 = ((lut).sample((lut_sampler), (saturate((float2(x_7, row_2) - _S69) * _S70)), level((0.0f)))).xyz;
-    float3 second_0 = ((lut).sample((lut_sampler), (saturate((float2(x_7, row_2 + 16.0f) - _S69) * _S70)), level((0.0f)))).xyz;
+    float _S77 = min(floor(index_0), 14.0f);
+    float row_2 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S77;
+    float2 _S78 = lut_axes.xz;
+    float2 _S79 = lut_axes.yw;
+    float3 first_0 = ((lut).sample((lut_sampler), (saturate((float2(x_7, row_2) - _S78) * _S79)), level((0.0f)))).xyz;
+    float3 second_0 = ((lut).sample((lut_sampler), (saturate((float2(x_7, row_2 + 16.0f) - _S78) * _S79)), level((0.0f)))).xyz;
     float straight_0 = 1.0f - min(across_1 / 0.50550216436386108f, 1.0f);
     float moved_0;
-    if(_S68 > 13.5f)
+    if(_S77 > 13.5f)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S68;
+        moved_0 = index_0 - _S77;
     }
-    float3 value_1 = mix(first_0, second_0, float3(index_0 - _S68, moved_0, moved_0));
+    float3 value_1 = mix(first_0, second_0, float3(index_0 - _S77, moved_0, moved_0));
     float entry_y_0;
     if(y_2 < 0.0f)
     {
@@ -931,25 +1005,25 @@ float3 skin_eye_light(texture2d<float, access::sample> lut, sampler lut_sampler,
     {
         entry_y_0 = value_1.z;
     }
-    float _S71 = value_1.y;
-    return float3(value_1.x, _S71 * _S66 - entry_y_0 * _S67, _S71 * _S67 + entry_y_0 * _S66);
+    float _S80 = value_1.y;
+    return float3(value_1.x, _S80 * _S75 - entry_y_0 * _S76, _S80 * _S76 + entry_y_0 * _S75);
 }
 
 float4 skin_eye_ambient(texture2d<float, access::sample> lut, sampler lut_sampler, float4 lut_axes, float r_mm)
 {
-    float2 _S72 = lut_axes.xz;
-    float2 _S73 = lut_axes.yw;
-    return float4(((lut).sample((lut_sampler), (saturate((float2(r_mm, 0.0f) - _S72) * _S73)), level((0.0f)))).xyz, ((lut).sample((lut_sampler), (saturate((float2(r_mm, 1.0f) - _S72) * _S73)), level((0.0f)))).xyz.x);
+    float2 _S81 = lut_axes.xz;
+    float2 _S82 = lut_axes.yw;
+    return float4(((lut).sample((lut_sampler), (saturate((float2(r_mm, 0.0f) - _S81) * _S82)), level((0.0f)))).xyz, ((lut).sample((lut_sampler), (saturate((float2(r_mm, 1.0f) - _S81) * _S82)), level((0.0f)))).xyz.x);
 }
 
 float skin_dielectric_fresnel(float cosine, float index)
 {
     float c_1 = saturate(cosine);
-    float _S74 = index * index;
-    float inside_0 = sqrt(max(_S74 - 1.0f + c_1 * c_1, 0.0f));
+    float _S83 = index * index;
+    float inside_0 = sqrt(max(_S83 - 1.0f + c_1 * c_1, 0.0f));
     float s_3 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
-    float _S75 = _S74 * c_1;
-    float p_2 = (_S75 - inside_0) / max(_S75 + inside_0, 9.99999997475242708e-07f);
+    float _S84 = _S83 * c_1;
+    float p_2 = (_S84 - inside_0) / max(_S84 + inside_0, 9.99999997475242708e-07f);
     return 0.5f * (s_3 * s_3 + p_2 * p_2);
 }
 
@@ -963,9 +1037,9 @@ float skin_lamp_highlight(float3 reflected, float3 light, float lamp, float roug
     float3 apart_1 = reflected - light;
     float chord2_0 = dot(apart_1, apart_1);
     float wide_1 = sqrt(lamp * lamp + roughness * roughness);
-    float _S76 = max(roughness, 0.00009999999747379f);
+    float _S85 = max(roughness, 0.00009999999747379f);
     float sine_1 = sin(wide_1);
-    return skin_smooth((wide_1 + _S76 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S76)) / (sine_1 * sine_1 + _S76 * _S76 / 5.0f);
+    return skin_smooth((wide_1 + _S85 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S85)) / (sine_1 * sine_1 + _S85 * _S85 / 5.0f);
 }
 
 float skin_pupil_radius(float luminance)
@@ -975,9 +1049,9 @@ float skin_pupil_radius(float luminance)
 
 float skin_lid_share(float3 position_mm, float3 exit_mm, float penumbra, float ramp, float4 lid)
 {
-    float _S77 = lid.w;
-    float3 _S78 = lid.xyz;
-    return skin_smooth((_S77 - dot(_S78, exit_mm)) / penumbra + 0.5f) * saturate((_S77 - dot(_S78, position_mm)) / ramp + 0.5f);
+    float _S86 = lid.w;
+    float3 _S87 = lid.xyz;
+    return skin_smooth((_S86 - dot(_S87, exit_mm)) / penumbra + 0.5f) * saturate((_S86 - dot(_S87, position_mm)) / ramp + 0.5f);
 }
 
 float skin_lid_visibility(float3 position_mm, float3 direction, float spread, float margin_mm, float4 upper, float4 lower, float radius_mm)
@@ -985,45 +1059,45 @@ float skin_lid_visibility(float3 position_mm, float3 direction, float spread, fl
     float along_1 = dot(position_mm, direction);
     float distance_2 = sqrt(max(along_1 * along_1 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0f)) - along_1;
     float3 exit_mm_1 = position_mm + float3(distance_2)  * direction;
-    float _S79 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
-    float _S80 = max(2.0f * margin_mm, 0.00009999999747379f);
-    return skin_lid_share(position_mm, exit_mm_1, _S79, _S80, upper) * skin_lid_share(position_mm, exit_mm_1, _S79, _S80, lower);
+    float _S88 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
+    float _S89 = max(2.0f * margin_mm, 0.00009999999747379f);
+    return skin_lid_share(position_mm, exit_mm_1, _S88, _S89, upper) * skin_lid_share(position_mm, exit_mm_1, _S88, _S89, lower);
 }
 
 float skin_lid_hidden(float3 position_mm, float3 normal, float4 lid, float radius_mm)
 {
-    float3 _S81 = lid.xyz;
-    float toward_0 = dot(_S81, normal);
+    float3 _S90 = lid.xyz;
+    float toward_0 = dot(_S90, normal);
     float tangent_0 = sqrt(max(1.0f - toward_0 * toward_0, 0.00009999999747379f));
-    float3 _S82 = float3(toward_0) ;
-    float3 _S83 = float3(tangent_0) ;
-    float bare_0 = lid.w - dot(_S81, position_mm);
-    float3 foot_0 = position_mm + float3(bare_0)  * _S81;
-    float along_2 = dot(foot_0, _S83 * normal - _S82 * ((_S81 - _S82 * normal) / _S83));
+    float3 _S91 = float3(toward_0) ;
+    float3 _S92 = float3(tangent_0) ;
+    float bare_0 = lid.w - dot(_S90, position_mm);
+    float3 foot_0 = position_mm + float3(bare_0)  * _S90;
+    float along_2 = dot(foot_0, _S92 * normal - _S91 * ((_S90 - _S91 * normal) / _S92));
     float radicand_1 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
     float length_0 = sqrt(max(radicand_1, 0.0f)) - along_2;
     float above_0 = bare_0 * toward_0 + length_0 * tangent_0;
     float beside_0 = bare_0 * tangent_0 - length_0 * toward_0;
-    float cosine_7 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    bool _S84;
+    float cosine_8 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
+    bool _S93;
     if(above_0 > 0.0f)
     {
-        _S84 = radicand_1 > 0.0f;
+        _S93 = radicand_1 > 0.0f;
     }
     else
     {
-        _S84 = false;
+        _S93 = false;
     }
-    float _S85;
-    if(_S84)
+    float _S94;
+    if(_S93)
     {
-        _S85 = 0.5f * (1.0f - cosine_7);
+        _S94 = 0.5f * (1.0f - cosine_8);
     }
     else
     {
-        _S85 = 0.0f;
+        _S94 = 0.0f;
     }
-    return _S85;
+    return _S94;
 }
 
 float skin_lid_openness(float3 position_mm, float3 normal, float4 upper, float4 lower, float radius_mm)
@@ -1040,19 +1114,19 @@ float skin_lid_iris_hidden(float3 position_mm, float narrowed, float4 lid)
 
 float skin_lid_iris_openness(float3 hit_mm, float4 cornea, float4 limbus, float4 upper, float4 lower)
 {
-    float2 _S86 = hit_mm.xy;
-    float _S87 = limbus.x;
-    float squared_1 = dot(_S86, _S86) / (_S87 * _S87);
+    float2 _S95 = hit_mm.xy;
+    float _S96 = limbus.x;
+    float squared_1 = dot(_S95, _S95) / (_S96 * _S96);
     float rim_0 = squared_1 * squared_1;
-    float2 entry_1 = float2((0.82999998331069946f + 0.40999999642372131f * rim_0))  * _S86;
-    float _S88 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
-    float3 position_1 = float3(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
-    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S88, upper) - skin_lid_iris_hidden(position_1, _S88, lower));
+    float2 entry_1 = float2((0.82999998331069946f + 0.40999999642372131f * rim_0))  * _S95;
+    float _S97 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
+    float3 position_2 = float3(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
+    return saturate(1.0f - skin_lid_iris_hidden(position_2, _S97, upper) - skin_lid_iris_hidden(position_2, _S97, lower));
 }
 
 float3 skin_tear_normal(float3 position_mm, float3 normal, float4 lid, float height_mm)
 {
-    float3 _S89 = lid.xyz;
-    float sine_2 = saturate(1.0f - (lid.w - dot(_S89, position_mm)) / max(height_mm, 0.00009999999747379f));
-    return skin_unit_vectors(float3(sqrt(max(1.0f - sine_2 * sine_2, 0.0f)))  * normal - float3(sine_2)  * skin_unit_vectors(_S89 - float3(dot(_S89, normal))  * normal));
+    float3 _S98 = lid.xyz;
+    float sine_2 = saturate(1.0f - (lid.w - dot(_S98, position_mm)) / max(height_mm, 0.00009999999747379f));
+    return skin_unit_vectors(float3(sqrt(max(1.0f - sine_2 * sine_2, 0.0f)))  * normal - float3(sine_2)  * skin_unit_vectors(_S98 - float3(dot(_S98, normal))  * normal));
 }

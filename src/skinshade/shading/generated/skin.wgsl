@@ -4,6 +4,7 @@ fn skin_rsqrt_0(x : f32) -> f32
     return 1.0f / sqrt(x);
 }
 
+var<private> SKIN_CONTACT_DISK : array<vec2<f32>, i32(12)> = array<vec2<f32>, i32(12)>( vec2<f32>(0.16725532710552216f, 0.0f), vec2<f32>(-0.21519750356674194f, 0.19713853299617767f), vec2<f32>(0.0332011915743351f, -0.3783104419708252f), vec2<f32>(0.27573889493942261f, 0.35965254902839661f), vec2<f32>(-0.51071953773498535f, -0.09033908694982529f), vec2<f32>(0.48873069882392883f, -0.31089046597480774f), vec2<f32>(-0.16532173752784729f, 0.61498862504959106f), vec2<f32>(-0.31931877136230469f, -0.61482888460159302f), vec2<f32>(0.70304751396179199f, 0.25675183534622192f), vec2<f32>(-0.74441087245941162f, 0.3072819709777832f), vec2<f32>(0.36706140637397766f, -0.78438889980316162f), vec2<f32>(0.28072324395179749f, 0.89498996734619141f) );
 var<private> SKIN_SHADOW_DISK_48 : array<vec2<f32>, i32(48)> = array<vec2<f32>, i32(48)>( vec2<f32>(0.08340597897768021f, 0.0f), vec2<f32>(-0.10671073943376541f, 0.09775578230619431f), vec2<f32>(0.01636306010186672f, -0.1864485889673233f), vec2<f32>(0.13498826324939728f, 0.17606829106807709f), vec2<f32>(-0.24817833304405212f, -0.04389924928545952f), vec2<f32>(0.2355383038520813f, -0.14983019232749939f), vec2<f32>(-0.07893361896276474f, 0.29362913966178894f), vec2<f32>(-0.15082783997058868f, -0.29040983319282532f), vec2<f32>(0.32788398861885071f, 0.11974270641803741f), vec2<f32>(-0.34179624915122986f, 0.14108851552009583f), vec2<f32>(0.16510665416717529f, -0.35282331705093384f), vec2<f32>(0.12226484715938568f, 0.38979959487915039f), vec2<f32>(-0.36929354071617126f, -0.21401314437389374f), vec2<f32>(0.4341655969619751f, -0.09545008838176727f), vec2<f32>(-0.2655525803565979f, 0.37772122025489807f), vec2<f32>(-0.06148780882358551f, -0.47449716925621033f), vec2<f32>(0.37834861874580383f, 0.31887263059616089f), vec2<f32>(-0.51034331321716309f, 0.02110430039465427f), vec2<f32>(0.37315717339515686f, -0.37134122848510742f), vec2<f32>(-0.02502750046551228f, 0.54124277830123901f), vec2<f32>(-0.3568427562713623f, -0.42761686444282532f), vec2<f32>(0.56674838066101074f, 0.0762551873922348f), vec2<f32>(-0.48148587346076965f, 0.33500534296035767f), vec2<f32>(0.13193005323410034f, -0.58644229173660278f), vec2<f32>(0.30600649118423462f, 0.53402209281921387f), vec2<f32>(-0.59994620084762573f, -0.1913992166519165f), vec2<f32>(0.58451014757156372f, -0.27005851268768311f), vec2<f32>(-0.25400349497795105f, 0.60692840814590454f), vec2<f32>(-0.22741274535655975f, -0.63226538896560669f), vec2<f32>(0.60710901021957397f, 0.31907948851585388f), vec2<f32>(-0.6766400933265686f, 0.17836016416549683f), vec2<f32>(0.38596493005752563f, -0.60026413202285767f), vec2<f32>(0.12322843074798584f, 0.71703100204467773f), vec2<f32>(-0.58622837066650391f, -0.45400822162628174f), vec2<f32>(0.75288873910903931f, -0.06237528845667839f), vec2<f32>(-0.52258288860321045f, 0.56489682197570801f), vec2<f32>(0.0038233099039644f, -0.78373259305953979f), vec2<f32>(0.53622621297836304f, 0.59111112356185913f), vec2<f32>(-0.80917233228683472f, -0.07499390840530396f), vec2<f32>(0.65910446643829346f, -0.50023680925369263f), vec2<f32>(-0.15080370008945465f, 0.82895052433013916f), vec2<f32>(-0.45701694488525391f, -0.72624564170837402f), vec2<f32>(0.84303575754165649f, 0.23104114830493927f), vec2<f32>(-0.79258495569229126f, 0.40674149990081787f), vec2<f32>(0.31582745909690857f, -0.85189038515090942f), vec2<f32>(0.34976369142532349f, 0.85918575525283813f), vec2<f32>(-0.85765814781188965f, -0.40646019577980042f), vec2<f32>(0.93254464864730835f, -0.28751349449157715f) );
 var<private> SKIN_SHADOW_DISK_16 : array<vec2<f32>, i32(16)> = array<vec2<f32>, i32(16)>( vec2<f32>(0.14471825957298279f, 0.0f), vec2<f32>(-0.18583981692790985f, 0.170244500041008f), vec2<f32>(0.02860930934548378f, -0.32598838210105896f), vec2<f32>(0.23701368272304535f, 0.30914238095283508f), vec2<f32>(-0.43773865699768066f, -0.07742980122566223f), vec2<f32>(0.41749045252799988f, -0.26557326316833496f), vec2<f32>(-0.14065909385681152f, 0.52324479818344116f), vec2<f32>(-0.27035140991210938f, -0.52054518461227417f), vec2<f32>(0.59152573347091675f, 0.21602423489093781f), vec2<f32>(-0.6210860013961792f, 0.25637525320053101f), vec2<f32>(0.30247461795806885f, -0.64637070894241333f), vec2<f32>(0.22609943151473999f, 0.72084063291549683f), vec2<f32>(-0.69051814079284668f, -0.40016940236091614f), vec2<f32>(0.82290405035018921f, -0.18091315031051636f), vec2<f32>(-0.5123591423034668f, 0.7287781834602356f), vec2<f32>(-0.12196926772594452f, -0.94122844934463501f) );
 var<private> SKIN_POISSON_32 : array<vec2<f32>, i32(32)> = array<vec2<f32>, i32(32)>( vec2<f32>(-0.02096010930836201f, 0.01299272011965513f), vec2<f32>(0.69517123699188232f, -0.04910685122013092f), vec2<f32>(0.28034570813179016f, 0.66283899545669556f), vec2<f32>(0.03107489086687565f, -0.69704329967498779f), vec2<f32>(-0.49904009699821472f, 0.54098159074783325f), vec2<f32>(-0.70408397912979126f, -0.14709833264350891f), vec2<f32>(0.53451526165008545f, -0.56702268123626709f), vec2<f32>(-0.48678380250930786f, -0.61486828327178955f), vec2<f32>(0.68837428092956543f, 0.41418349742889404f), vec2<f32>(-0.14107078313827515f, 0.8102262020111084f), vec2<f32>(0.21897397935390472f, -0.3123532235622406f), vec2<f32>(0.31406453251838684f, 0.24951401352882385f), vec2<f32>(-0.83115619421005249f, 0.28457203507423401f), vec2<f32>(-0.40699386596679688f, 0.14198443293571472f), vec2<f32>(-0.10747358947992325f, 0.41360348463058472f), vec2<f32>(-0.19334819912910461f, -0.34689420461654663f), vec2<f32>(0.80768358707427979f, -0.37000563740730286f), vec2<f32>(0.33436411619186401f, -0.82407790422439575f), vec2<f32>(-0.79105347394943237f, -0.45378401875495911f), vec2<f32>(-0.23485180735588074f, -0.86940687894821167f), vec2<f32>(0.37255629897117615f, -0.05855973064899445f), vec2<f32>(0.5726354718208313f, 0.72984015941619873f), vec2<f32>(0.8966706395149231f, 0.17047682404518127f), vec2<f32>(-0.43273070454597473f, 0.81860679388046265f), vec2<f32>(0.1212853416800499f, 0.92984902858734131f), vec2<f32>(-0.42749753594398499f, -0.15111121535301208f), vec2<f32>(-0.94129812717437744f, 0.00735718011856079f), vec2<f32>(0.52211439609527588f, -0.28702935576438904f), vec2<f32>(-0.79033631086349487f, 0.5402228832244873f), vec2<f32>(-0.23410981893539429f, -0.59940856695175171f), vec2<f32>(0.28244560956954956f, -0.563071608543396f), vec2<f32>(0.57051312923431396f, 0.18359191715717316f) );
@@ -354,12 +355,85 @@ fn skin_variance_shadow(mean_depth_mm : f32, mean_square_depth_mm2 : f32, depth_
     return _S18 / (_S18 + _S19 * _S19);
 }
 
+fn skin_contact_slope(face_normal : vec3<f32>, to_light : vec3<f32>, light_right : vec3<f32>, light_up : vec3<f32>) -> vec2<f32>
+{
+    var axis_1 : vec3<f32> = cross(light_right, light_up);
+    var handedness_1 : f32;
+    if((dot(to_light, axis_1)) < 0.0f)
+    {
+        handedness_1 = -1.0f;
+    }
+    else
+    {
+        handedness_1 = 1.0f;
+    }
+    return vec2<f32>(dot(face_normal, light_right), - dot(face_normal, light_up)) / vec2<f32>(max(handedness_1 * dot(face_normal, axis_1), 0.05000000074505806f));
+}
+
+fn skin_faded_contact(share : f32, cosine : f32) -> f32
+{
+    return 1.0f - saturate((cosine - 0.05000000074505806f) / 0.10000000894069672f) * (1.0f - share);
+}
+
+fn skin_contact_bias(slope : vec2<f32>) -> f32
+{
+    return 0.80000001192092896f + 0.30000001192092896f * length(slope);
+}
+
+fn skin_contact_compare(depths : vec4<f32>, receiver_mm : f32, rise : vec2<f32>, weights : vec2<f32>) -> f32
+{
+    var _S20 : f32 = rise.x;
+    var _S21 : f32 = rise.y;
+    var lit_1 : vec4<f32> = step(vec4<f32>(receiver_mm) + vec4<f32>(0.0f, _S20, _S21, _S20 + _S21), depths);
+    var rows_2 : vec2<f32> = mix(lit_1.xz, lit_1.yw, vec2<f32>(weights.x));
+    return mix(rows_2.x, rows_2.y, weights.y);
+}
+
+fn skin_contact_filter(depth_map : texture_2d<f32>, depth_map_sampler : sampler, map_extent : vec2<f32>, view : mat4x4<f32>, projection : mat4x4<f32>, position_mm : vec3<f32>, face_normal : vec3<f32>, to_light : vec3<f32>) -> f32
+{
+    var coordinates_1 : vec4<f32> = skin_light_coordinates(position_mm, view, projection);
+    var slope_6 : vec2<f32> = skin_contact_slope(face_normal, to_light, view[i32(0)].xyz, view[i32(1)].xyz);
+    var _S22 : vec2<f32> = vec2<f32>(0.5f);
+    var texels_per_mm_0 : vec2<f32> = _S22 * vec2<f32>(abs(projection[i32(0)].x), abs(projection[i32(1)].y)) / vec2<f32>(abs(coordinates_1.w)) * map_extent;
+    var _S23 : vec2<f32> = slope_6 / texels_per_mm_0;
+    var _S24 : vec2<f32> = coordinates_1.xy * map_extent - _S22;
+    var _S25 : f32 = coordinates_1.z - skin_contact_bias(slope_6);
+    var tap_2 : i32 = i32(0);
+    var total_5 : f32 = 0.0f;
+    for(;;)
+    {
+        if(tap_2 < i32(12))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var position_1 : vec2<f32> = _S24 + vec2<f32>(0.60000002384185791f) * SKIN_CONTACT_DISK[tap_2] * texels_per_mm_0;
+        var corner_1 : vec2<f32> = floor(position_1);
+        var _S26 : vec2<f32> = vec2<f32>(0.0f);
+        var _S27 : vec2<f32> = vec2<f32>(1.0f);
+        var _S28 : vec2<f32> = map_extent - _S27;
+        var low_2 : vec2<f32> = (clamp(corner_1, _S26, _S28) + _S22) / map_extent;
+        var high_2 : vec2<f32> = (clamp(corner_1 + _S27, _S26, _S28) + _S22) / map_extent;
+        var total_6 : f32 = total_5 + skin_contact_compare(vec4<f32>(skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (low_2), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(high_2.x, low_2.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (vec2<f32>(low_2.x, high_2.y)), (0.0f))).x, projection), skin_linear_depth((textureSampleLevel((depth_map), (depth_map_sampler), (high_2), (0.0f))).x, projection)), _S25 + dot(corner_1 - _S24, _S23), _S23, position_1 - corner_1);
+        tap_2 = tap_2 + i32(1);
+        total_5 = total_6;
+    }
+    return skin_faded_contact(total_5 / 12.0f, dot(face_normal, to_light));
+}
+
+fn skin_contact_shadow(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, shadow : vec3<f32>, contact : f32, filter_width_mm : f32) -> vec3<f32>
+{
+    return min(shadow, vec3<f32>(contact) + vec3<f32>((1.0f - contact)) * skin_diffused_shadow(lut, lut_sampler, lut_axes, skin_smoothstep(0.5f - 0.60000002384185791f / filter_width_mm), 1.0f, filter_width_mm));
+}
+
 fn skin_sh_bands(sh : mat3x3<f32>, d : vec3<f32>) -> vec3<f32>
 {
-    var _S20 : f32 = d.y;
-    var _S21 : f32 = d.z;
-    var _S22 : f32 = d.x;
-    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S20 + sh[i32(0)].z * _S21 + sh[i32(1)].x * _S22), 1.09254848957061768f * (sh[i32(1)].y * _S22 * _S20 + sh[i32(1)].z * _S20 * _S21 + sh[i32(2)].y * _S22 * _S21) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S21 * _S21 - dot(d, d)) + 0.54627424478530884f * sh[i32(2)].z * (_S22 * _S22 - _S20 * _S20));
+    var _S29 : f32 = d.y;
+    var _S30 : f32 = d.z;
+    var _S31 : f32 = d.x;
+    return vec3<f32>(0.282094806432724f * sh[i32(0)].x, 0.48860251903533936f * (sh[i32(0)].y * _S29 + sh[i32(0)].z * _S30 + sh[i32(1)].x * _S31), 1.09254848957061768f * (sh[i32(1)].y * _S31 * _S29 + sh[i32(1)].z * _S29 * _S30 + sh[i32(2)].y * _S31 * _S30) + 0.31539157032966614f * sh[i32(2)].x * (3.0f * _S30 * _S30 - dot(d, d)) + 0.54627424478530884f * sh[i32(2)].z * (_S31 * _S31 - _S29 * _S29));
 }
 
 fn skin_ambient_channel(sh : mat3x3<f32>, normal : vec3<f32>, band_transfer : vec3<f32>) -> f32
@@ -401,8 +475,8 @@ fn skin_transferred_irradiance(ambient_transfer_red : mat3x3<f32>, ambient_trans
 fn skin_reflected_visibility(sky_harmonics : mat3x3<f32>, normal : vec3<f32>, direction : vec3<f32>) -> f32
 {
     var bands_0 : vec3<f32> = skin_sh_bands(sky_harmonics, direction);
-    var _S23 : f32 = max(dot(normal, direction), 0.0f);
-    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S23 * (2.0f + 1.875f * _S23)) * 0.07957746833562851f));
+    var _S32 : f32 = max(dot(normal, direction), 0.0f);
+    return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S32 * (2.0f + 1.875f * _S32)) * 0.07957746833562851f));
 }
 
 fn skin_occluded_reflection(sky : vec3<f32>, bounced : vec3<f32>, sky_harmonics : mat3x3<f32>, normal : vec3<f32>, direction : vec3<f32>) -> vec3<f32>
@@ -440,16 +514,16 @@ fn skin_gloss_of_relief(gloss : f32, normal_length : f32) -> f32
 
 fn skin_gloss_from_roughness(roughness : f32) -> f32
 {
-    var _S24 : f32 = max(roughness, 0.00100000004749745f);
-    var r2_0 : f32 = _S24 * _S24;
+    var _S33 : f32 = max(roughness, 0.00100000004749745f);
+    var r2_0 : f32 = _S33 * _S33;
     return clamp(log2(max(2.0f / (r2_0 * r2_0) - 2.0f, 1.0f)) / 13.0f, 0.0f, 1.0f);
 }
 
 fn skin_lobe(n_dot_h : f32, n_dot_l : f32, n_dot_v : f32, power : f32) -> f32
 {
     var k_0 : f32 = skin_rsqrt_0(3.14159274101257324f * power / 4.0f + 1.57079637050628662f);
-    var _S25 : f32 = 1.0f - k_0;
-    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S25 * n_dot_l) * (k_0 + _S25 * n_dot_v)));
+    var _S34 : f32 = 1.0f - k_0;
+    return (power + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h, 9.99999971718068537e-10f), power) * (0.25f / ((k_0 + _S34 * n_dot_l) * (k_0 + _S34 * n_dot_v)));
 }
 
 fn skin_specular(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, gloss : f32, reflectance : f32) -> f32
@@ -494,11 +568,11 @@ fn skin_second_gloss(gloss : f32) -> f32
 fn skin_coat_fresnel(cosine : f32, reflectance : f32) -> f32
 {
     var root_1 : f32 = sqrt(clamp(reflectance, 0.0f, 0.89999997615814209f));
-    var _S26 : f32 = 1.0f - root_1;
-    var excess_0 : f32 = 4.0f * root_1 / (_S26 * _S26);
-    var _S27 : f32 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
-    var across_0 : f32 = excess_0 / (_S27 * _S27);
-    var along_0 : f32 = (cosine * _S27 - 1.0f) / (cosine * excess_0 / _S27 + 1.0f);
+    var _S35 : f32 = 1.0f - root_1;
+    var excess_0 : f32 = 4.0f * root_1 / (_S35 * _S35);
+    var _S36 : f32 = max(sqrt(excess_0 + cosine * cosine) + cosine, 9.99999971718068537e-10f);
+    var across_0 : f32 = excess_0 / (_S36 * _S36);
+    var along_0 : f32 = (cosine * _S36 - 1.0f) / (cosine * excess_0 / _S36 + 1.0f);
     return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
 }
 
@@ -521,15 +595,15 @@ fn skin_coat_highlight(normal : vec3<f32>, view : vec3<f32>, light : vec3<f32>, 
         sine2_0 = 1.0f;
     }
     var root_2 : f32 = squared_0 / (n_dot_h_2 * n_dot_h_2 * squared_0 + sine2_0);
-    var _S28 : f32 = 1.0f - squared_0;
-    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S28 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S28 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
+    var _S37 : f32 = 1.0f - squared_0;
+    return root_2 * root_2 / squared_0 * (0.5f / (n_dot_l_4 * sqrt(n_dot_v_7 * n_dot_v_7 * _S37 + squared_0) + n_dot_v_7 * sqrt(n_dot_l_4 * n_dot_l_4 * _S37 + squared_0))) * skin_coat_fresnel(v_dot_h_0, reflectance) * n_dot_l_4;
 }
 
 fn skin_coat(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, n_dot_v : f32, gloss : f32, reflectance : f32, coat_reflectance : f32) -> vec2<f32>
 {
     var entry_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(sqrt(saturate(n_dot_v)), gloss) - lut_axes.xz) * lut_axes.yw)), (0.0f))).xyz;
-    var _S29 : f32 = entry_0.z;
-    return vec2<f32>(clamp(_S29 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S29), 0.0f, _S29), entry_0.y);
+    var _S38 : f32 = entry_0.z;
+    return vec2<f32>(clamp(_S38 + (1.0f - reflectance) / (1.0f - coat_reflectance) * (entry_0.x - _S38), 0.0f, _S38), entry_0.y);
 }
 
 fn skin_coat_direction(normal : vec3<f32>, view : vec3<f32>, pull : f32) -> vec3<f32>
@@ -541,13 +615,13 @@ fn skin_coat_direction(normal : vec3<f32>, view : vec3<f32>, pull : f32) -> vec3
 fn skin_turns(y : f32, x : f32) -> f32
 {
     var size_0 : vec2<f32> = abs(vec2<f32>(x, y));
-    var _S30 : f32 = size_0.x;
-    var _S31 : f32 = size_0.y;
-    var r_0 : f32 = min(_S30, _S31) / max(max(_S30, _S31), 1.00000000317107685e-30f);
+    var _S39 : f32 = size_0.x;
+    var _S40 : f32 = size_0.y;
+    var r_0 : f32 = min(_S39, _S40) / max(max(_S39, _S40), 1.00000000317107685e-30f);
     var r2_1 : f32 = r_0 * r_0;
     var turns_0 : f32 = r_0 * (0.15915107727050781f + r2_1 * (-0.05293257534503937f + r2_1 * (0.03076364658772945f + r2_1 * (-0.01842727139592171f + r2_1 * (0.00826387945562601f - r2_1 * 0.00181874714326113f)))));
     var turns_1 : f32;
-    if(_S31 > _S30)
+    if(_S40 > _S39)
     {
         turns_1 = 0.25f - turns_0;
     }
@@ -568,9 +642,9 @@ fn skin_turns(y : f32, x : f32) -> f32
 
 fn skin_equirectangular_uv(direction : vec3<f32>) -> vec2<f32>
 {
-    var _S32 : f32 = direction.x;
-    var _S33 : f32 = direction.z;
-    return vec2<f32>(0.5f + skin_turns(_S33, _S32), 2.0f * skin_turns(sqrt(_S32 * _S32 + _S33 * _S33), direction.y));
+    var _S41 : f32 = direction.x;
+    var _S42 : f32 = direction.z;
+    return vec2<f32>(0.5f + skin_turns(_S42, _S41), 2.0f * skin_turns(sqrt(_S41 * _S41 + _S42 * _S42), direction.y));
 }
 
 fn skin_reflection_level(power : f32) -> f32
@@ -581,10 +655,10 @@ fn skin_reflection_level(power : f32) -> f32
 fn skin_preconvolved(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, uv : vec2<f32>, power : f32) -> vec3<f32>
 {
     var level_0 : f32 = skin_reflection_level(power);
-    var _S34 : f32 = min(floor(level_0), 3.0f);
+    var _S43 : f32 = min(floor(level_0), 3.0f);
     var row_1 : f32 = clamp(uv.y, 0.0078125f, 0.9921875f);
-    var _S35 : f32 = uv.x;
-    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S35, (_S34 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S35, (_S34 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S34)));
+    var _S44 : f32 = uv.x;
+    return mix((textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S44, (_S43 + row_1) / 5.0f)), (0.0f))).xyz, (textureSampleLevel((preconvolved), (preconvolved_sampler), (vec2<f32>(_S44, (_S43 + 1.0f + row_1) / 5.0f)), (0.0f))).xyz, vec3<f32>((level_0 - _S43)));
 }
 
 fn skin_reflected_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sampler, direction : vec3<f32>, gloss : f32) -> vec3<f32>
@@ -602,22 +676,22 @@ fn skin_coat_radiance(preconvolved : texture_2d<f32>, preconvolved_sampler : sam
 fn skin_filmic(light : vec3<f32>) -> vec3<f32>
 {
     var x_3 : vec3<f32> = max(light - vec3<f32>(0.00400000018998981f), vec3<f32>(0.0f));
-    var _S36 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
-    return x_3 * (_S36 + vec3<f32>(0.5f)) / (x_3 * (_S36 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
+    var _S45 : vec3<f32> = vec3<f32>(6.19999980926513672f) * x_3;
+    return x_3 * (_S45 + vec3<f32>(0.5f)) / (x_3 * (_S45 + vec3<f32>(1.70000004768371582f)) + vec3<f32>(0.05999999865889549f));
 }
 
 fn skin_srgb_curve(x : f32) -> f32
 {
-    var _S37 : f32;
+    var _S46 : f32;
     if(x <= 0.00313080009073019f)
     {
-        _S37 = 12.92000007629394531f * x;
+        _S46 = 12.92000007629394531f * x;
     }
     else
     {
-        _S37 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
+        _S46 = 1.0549999475479126f * pow(max(x, 9.999999960041972e-13f), 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return _S37;
+    return _S46;
 }
 
 fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
@@ -628,16 +702,16 @@ fn skin_srgb_from_linear(light : vec3<f32>) -> vec3<f32>
 
 fn skin_linear_curve(x : f32) -> f32
 {
-    var _S38 : f32;
+    var _S47 : f32;
     if(x <= 0.04044999927282333f)
     {
-        _S38 = x / 12.92000007629394531f;
+        _S47 = x / 12.92000007629394531f;
     }
     else
     {
-        _S38 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
+        _S47 = pow((x + 0.05499999970197678f) / 1.0549999475479126f, 2.40000009536743164f);
     }
-    return _S38;
+    return _S47;
 }
 
 fn skin_linear_from_srgb(display : vec3<f32>) -> vec3<f32>
@@ -683,25 +757,25 @@ fn skin_eye_cornea(cornea_radius_mm : f32, cornea_asphericity : f32, refraction_
 {
     var r_1 : f32 = limbus.x;
     var ratio_0 : f32 = r_1 / cornea_radius_mm;
-    var _S39 : f32 = r_1 * r_1;
-    var _S40 : f32 = limbus.z;
-    return vec4<f32>(skin_eye_root(_S40 * _S40 - _S39) + _S39 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
+    var _S48 : f32 = r_1 * r_1;
+    var _S49 : f32 = limbus.z;
+    return vec4<f32>(skin_eye_root(_S49 * _S49 - _S48) + _S48 / (cornea_radius_mm * (1.0f + skin_eye_root(1.0f - (1.0f + cornea_asphericity) * ratio_0 * ratio_0))), cornea_radius_mm, cornea_asphericity, refraction_index);
 }
 
 fn skin_eye_conic(r : f32, cornea : vec4<f32>) -> vec2<f32>
 {
-    var _S41 : f32 = cornea.y;
-    var ratio_1 : f32 = r / _S41;
+    var _S50 : f32 = cornea.y;
+    var ratio_1 : f32 = r / _S50;
     var root_3 : f32 = skin_eye_root(1.0f - (1.0f + cornea.z) * ratio_1 * ratio_1);
-    return vec2<f32>(cornea.x - r * r / (_S41 * (1.0f + root_3)), -1.0f / (_S41 * root_3));
+    return vec2<f32>(cornea.x - r * r / (_S50 * (1.0f + root_3)), -1.0f / (_S50 * root_3));
 }
 
 fn skin_eye_profile(r : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> vec2<f32>
 {
-    var _S42 : f32 = limbus.x;
-    var _S43 : f32 = limbus.y;
-    var inner_0 : f32 = _S42 - _S43;
-    var outer_0 : f32 = _S42 + _S43;
+    var _S51 : f32 = limbus.x;
+    var _S52 : f32 = limbus.y;
+    var inner_0 : f32 = _S51 - _S52;
+    var outer_0 : f32 = _S51 + _S52;
     var width_0 : f32 = outer_0 - inner_0;
     if(r < inner_0)
     {
@@ -709,21 +783,21 @@ fn skin_eye_profile(r : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> vec2<f32
     }
     if(r >= outer_0)
     {
-        var _S44 : f32 = limbus.z;
-        var sphere_0 : f32 = skin_eye_root(_S44 * _S44 - r * r);
+        var _S53 : f32 = limbus.z;
+        var sphere_0 : f32 = skin_eye_root(_S53 * _S53 - r * r);
         return vec2<f32>(sphere_0, -1.0f / sphere_0);
     }
     var start_0 : vec2<f32> = skin_eye_conic(inner_0, cornea);
-    var _S45 : f32 = limbus.z;
-    var end_0 : f32 = skin_eye_root(_S45 * _S45 - outer_0 * outer_0);
+    var _S54 : f32 = limbus.z;
+    var end_0 : f32 = skin_eye_root(_S54 * _S54 - outer_0 * outer_0);
     var m0_0 : f32 = width_0 * inner_0 * start_0.y;
     var m1_0 : f32 = - width_0 * outer_0 / end_0;
     var t_2 : f32 = (r - inner_0) / width_0;
-    var _S46 : f32 = start_0.x;
-    var rise_0 : f32 = end_0 - _S46;
-    var c2_0 : f32 = 3.0f * rise_0 - 2.0f * m0_0 - m1_0;
-    var c3_0 : f32 = m0_0 + m1_0 - 2.0f * rise_0;
-    return vec2<f32>(_S46 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
+    var _S55 : f32 = start_0.x;
+    var rise_1 : f32 = end_0 - _S55;
+    var c2_0 : f32 = 3.0f * rise_1 - 2.0f * m0_0 - m1_0;
+    var c3_0 : f32 = m0_0 + m1_0 - 2.0f * rise_1;
+    return vec2<f32>(_S55 + t_2 * (m0_0 + t_2 * (c2_0 + t_2 * c3_0)), (m0_0 + t_2 * (2.0f * c2_0 + t_2 * (3.0f * c3_0))) / (width_0 * max(r, 9.99999997475242708e-07f)));
 }
 
 fn skin_eye_height(r_mm : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> f32
@@ -733,8 +807,8 @@ fn skin_eye_height(r_mm : f32, cornea : vec4<f32>, limbus : vec4<f32>) -> f32
 
 fn skin_eye_normal(position_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f32>) -> vec3<f32>
 {
-    var _S47 : vec2<f32> = position_mm.xy;
-    var r_4 : f32 = sqrt(dot(_S47, _S47));
+    var _S56 : vec2<f32> = position_mm.xy;
+    var r_4 : f32 = sqrt(dot(_S56, _S56));
     var slope_over_r_0 : f32 = skin_eye_profile(r_4, cornea, limbus).y;
     var in_front_0 : bool;
     if((position_mm.z) > 0.0f)
@@ -745,30 +819,30 @@ fn skin_eye_normal(position_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f3
     {
         in_front_0 = false;
     }
-    var normal_12 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S47, 1.0f);
-    var _S48 : vec3<f32>;
+    var normal_12 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S56, 1.0f);
+    var _S57 : vec3<f32>;
     if(in_front_0)
     {
-        _S48 = normal_12;
+        _S57 = normal_12;
     }
     else
     {
-        _S48 = position_mm;
+        _S57 = position_mm;
     }
-    return skin_unit_vectors(_S48);
+    return skin_unit_vectors(_S57);
 }
 
 fn skin_eye_cornea_hit(origin_mm : vec3<f32>, direction : vec3<f32>, cornea : vec4<f32>) -> vec4<f32>
 {
     var q_1 : f32 = 1.0f + cornea.z;
     var s_2 : f32 = cornea.x - origin_mm.z;
-    var _S49 : f32 = direction.z;
-    var _S50 : vec2<f32> = origin_mm.xy;
-    var _S51 : f32 = cornea.y;
-    var _S52 : f32 = q_1 * s_2;
-    var b_1 : f32 = dot(_S50, direction.xy) + _S49 * (_S51 - _S52);
-    var c_0 : f32 = dot(_S50, _S50) - 2.0f * _S51 * s_2 + _S52 * s_2;
-    var radicand_0 : f32 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S49 * _S49) * c_0;
+    var _S58 : f32 = direction.z;
+    var _S59 : vec2<f32> = origin_mm.xy;
+    var _S60 : f32 = cornea.y;
+    var _S61 : f32 = q_1 * s_2;
+    var b_1 : f32 = dot(_S59, direction.xy) + _S58 * (_S60 - _S61);
+    var c_0 : f32 = dot(_S59, _S59) - 2.0f * _S60 * s_2 + _S61 * s_2;
+    var radicand_0 : f32 = b_1 * b_1 - (1.0f - (1.0f - q_1) * _S58 * _S58) * c_0;
     var meets_0 : bool;
     if(radicand_0 >= 0.0f)
     {
@@ -787,7 +861,7 @@ fn skin_eye_cornea_hit(origin_mm : vec3<f32>, direction : vec3<f32>, cornea : ve
     {
         distance_0 = 0.0f;
     }
-    var _S53 : vec3<f32> = origin_mm + vec3<f32>(distance_0) * direction;
+    var _S62 : vec3<f32> = origin_mm + vec3<f32>(distance_0) * direction;
     if(meets_0)
     {
         distance_0 = 1.0f;
@@ -796,7 +870,7 @@ fn skin_eye_cornea_hit(origin_mm : vec3<f32>, direction : vec3<f32>, cornea : ve
     {
         distance_0 = 0.0f;
     }
-    return vec4<f32>(_S53, distance_0);
+    return vec4<f32>(_S62, distance_0);
 }
 
 fn skin_smooth(t : f32) -> f32
@@ -807,29 +881,29 @@ fn skin_smooth(t : f32) -> f32
 
 fn skin_eye_limbal_opacity(r_mm : f32, limbus : vec4<f32>) -> f32
 {
-    var _S54 : f32 = limbus.y;
-    return skin_smooth((r_mm - limbus.x + _S54) / (2.0f * _S54));
+    var _S63 : f32 = limbus.y;
+    return skin_smooth((r_mm - limbus.x + _S63) / (2.0f * _S63));
 }
 
 fn skin_eye_iris_hit(position_mm : vec3<f32>, normal : vec3<f32>, view : vec3<f32>, cornea : vec4<f32>, iris : vec4<f32>) -> vec3<f32>
 {
     var eta_0 : f32 = 1.0f / cornea.w;
-    var _S55 : f32 = max(dot(normal, view), 0.0f);
-    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S55 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S55 * _S55), 0.0f)))) * normal - vec3<f32>(eta_0) * view;
+    var _S64 : f32 = max(dot(normal, view), 0.0f);
+    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S64 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S64 * _S64), 0.0f)))) * normal - vec3<f32>(eta_0) * view;
     var h_0 : f32 = iris.x - position_mm.z;
-    var _S56 : f32 = iris.y;
-    var m2_0 : f32 = _S56 * _S56;
-    var _S57 : f32 = d_1.z;
-    var _S58 : vec2<f32> = d_1.xy;
-    var a_1 : f32 = _S57 * _S57 - m2_0 * dot(_S58, _S58);
-    var _S59 : vec2<f32> = position_mm.xy;
-    var b_2 : f32 = h_0 * _S57 + m2_0 * dot(_S59, _S58);
-    var e_0 : f32 = h_0 * h_0 - m2_0 * dot(_S59, _S59);
-    var apart_0 : vec2<f32> = vec2<f32>(h_0) * _S58 + vec2<f32>(_S57) * _S59;
+    var _S65 : f32 = iris.y;
+    var m2_0 : f32 = _S65 * _S65;
+    var _S66 : f32 = d_1.z;
+    var _S67 : vec2<f32> = d_1.xy;
+    var a_1 : f32 = _S66 * _S66 - m2_0 * dot(_S67, _S67);
+    var _S68 : vec2<f32> = position_mm.xy;
+    var b_2 : f32 = h_0 * _S66 + m2_0 * dot(_S68, _S67);
+    var e_0 : f32 = h_0 * h_0 - m2_0 * dot(_S68, _S68);
+    var apart_0 : vec2<f32> = vec2<f32>(h_0) * _S67 + vec2<f32>(_S66) * _S68;
     var cross_product_0 : f32 = d_1.x * position_mm.y - d_1.y * position_mm.x;
-    var root_4 : f32 = abs(_S56) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
+    var root_4 : f32 = abs(_S65) * sqrt(max(dot(apart_0, apart_0) - m2_0 * cross_product_0 * cross_product_0, 0.0f));
     var distance_1 : f32;
-    if(_S56 < 0.0f)
+    if(_S65 < 0.0f)
     {
         distance_1 = e_0 / max(b_2 + root_4, 9.99999997475242708e-07f);
     }
@@ -842,10 +916,10 @@ fn skin_eye_iris_hit(position_mm : vec3<f32>, normal : vec3<f32>, view : vec3<f3
 
 fn skin_eye_iris_uv(hit_mm : vec3<f32>, iris : vec4<f32>, pupil_in_map : f32, iris_uv : vec4<f32>) -> vec2<f32>
 {
-    var _S60 : vec2<f32> = hit_mm.xy;
-    var r_5 : f32 = sqrt(dot(_S60, _S60));
+    var _S69 : vec2<f32> = hit_mm.xy;
+    var r_5 : f32 = sqrt(dot(_S69, _S69));
     var pupil_0 : f32 = iris.w;
-    var _S61 : f32 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
+    var _S70 : f32 = min((r_5 - pupil_0) / max(iris.z - pupil_0, 9.99999997475242708e-07f), 1.0f);
     var radius_0 : f32;
     if(r_5 < pupil_0)
     {
@@ -853,15 +927,15 @@ fn skin_eye_iris_uv(hit_mm : vec3<f32>, iris : vec4<f32>, pupil_in_map : f32, ir
     }
     else
     {
-        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S61;
+        radius_0 = pupil_in_map + (1.0f - pupil_in_map) * _S70;
     }
     var scale_0 : f32 = iris_uv.z * radius_0 / max(r_5, 9.99999997475242708e-07f);
     var angle_0 : f32 = 6.28318548202514648f * iris_uv.w;
-    var cosine_3 : f32 = cos(angle_0);
+    var cosine_4 : f32 = cos(angle_0);
     var sine_0 : f32 = sin(angle_0);
-    var _S62 : f32 = hit_mm.x;
-    var _S63 : f32 = hit_mm.y;
-    return vec2<f32>(iris_uv.x + scale_0 * (cosine_3 * _S62 - sine_0 * _S63), iris_uv.y - scale_0 * (sine_0 * _S62 + cosine_3 * _S63));
+    var _S71 : f32 = hit_mm.x;
+    var _S72 : f32 = hit_mm.y;
+    return vec2<f32>(iris_uv.x + scale_0 * (cosine_4 * _S71 - sine_0 * _S72), iris_uv.y - scale_0 * (sine_0 * _S71 + cosine_4 * _S72));
 }
 
 fn skin_eye_iris_parallax(hit_mm : vec3<f32>, direction : vec3<f32>, iris_normal : vec3<f32>, height_mm : f32) -> vec3<f32>
@@ -872,16 +946,16 @@ fn skin_eye_iris_parallax(hit_mm : vec3<f32>, direction : vec3<f32>, iris_normal
 fn skin_eye_warped(cosine : f32) -> f32
 {
     var size_1 : f32 = pow(max(abs(cosine), 9.99999971718068537e-10f), 0.69999998807907104f);
-    var _S64 : f32;
+    var _S73 : f32;
     if(cosine < 0.0f)
     {
-        _S64 = - size_1;
+        _S73 = - size_1;
     }
     else
     {
-        _S64 = size_1;
+        _S73 = size_1;
     }
-    return _S64;
+    return _S73;
 }
 
 fn skin_eye_slice(cosine : f32) -> f32
@@ -892,39 +966,39 @@ fn skin_eye_slice(cosine : f32) -> f32
 
 fn skin_eye_light(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, hit_mm : vec3<f32>, light : vec3<f32>) -> vec3<f32>
 {
-    var _S65 : vec2<f32> = light.xy;
-    var across_1 : f32 = sqrt(dot(_S65, _S65));
+    var _S74 : vec2<f32> = light.xy;
+    var across_1 : f32 = sqrt(dot(_S74, _S74));
     var turn_0 : vec2<f32>;
     if(across_1 > 9.99999997475242708e-07f)
     {
-        turn_0 = _S65 / vec2<f32>(across_1);
+        turn_0 = _S74 / vec2<f32>(across_1);
     }
     else
     {
         turn_0 = vec2<f32>(1.0f, 0.0f);
     }
     var x_8 : f32 = dot(hit_mm.xy, turn_0);
-    var _S66 : f32 = turn_0.x;
-    var _S67 : f32 = turn_0.y;
-    var y_2 : f32 = hit_mm.y * _S66 - hit_mm.x * _S67;
+    var _S75 : f32 = turn_0.x;
+    var _S76 : f32 = turn_0.y;
+    var y_2 : f32 = hit_mm.y * _S75 - hit_mm.x * _S76;
     var index_0 : f32 = skin_eye_slice(light.z);
-    var _S68 : f32 = min(floor(index_0), 14.0f);
-    var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S68;
-    var _S69 : vec2<f32> = lut_axes.xz;
-    var _S70 : vec2<f32> = lut_axes.yw;
-    var first_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2) - _S69) * _S70)), (0.0f))).xyz;
-    var second_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S69) * _S70)), (0.0f))).xyz;
+    var _S77 : f32 = min(floor(index_0), 14.0f);
+    var row_2 : f32 = 0.5f + 15.0f * min(abs(y_2) / (- lut_axes.x * 31.0f / 32.0f), 1.0f) + 16.0f * _S77;
+    var _S78 : vec2<f32> = lut_axes.xz;
+    var _S79 : vec2<f32> = lut_axes.yw;
+    var first_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2) - _S78) * _S79)), (0.0f))).xyz;
+    var second_0 : vec3<f32> = (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(x_8, row_2 + 16.0f) - _S78) * _S79)), (0.0f))).xyz;
     var straight_0 : f32 = 1.0f - min(across_1 / 0.50550216436386108f, 1.0f);
     var moved_0 : f32;
-    if(_S68 > 13.5f)
+    if(_S77 > 13.5f)
     {
         moved_0 = straight_0;
     }
     else
     {
-        moved_0 = index_0 - _S68;
+        moved_0 = index_0 - _S77;
     }
-    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S68, moved_0, moved_0));
+    var value_1 : vec3<f32> = mix(first_0, second_0, vec3<f32>(index_0 - _S77, moved_0, moved_0));
     var entry_y_0 : f32;
     if(y_2 < 0.0f)
     {
@@ -934,25 +1008,25 @@ fn skin_eye_light(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<
     {
         entry_y_0 = value_1.z;
     }
-    var _S71 : f32 = value_1.y;
-    return vec3<f32>(value_1.x, _S71 * _S66 - entry_y_0 * _S67, _S71 * _S67 + entry_y_0 * _S66);
+    var _S80 : f32 = value_1.y;
+    return vec3<f32>(value_1.x, _S80 * _S75 - entry_y_0 * _S76, _S80 * _S76 + entry_y_0 * _S75);
 }
 
 fn skin_eye_ambient(lut : texture_2d<f32>, lut_sampler : sampler, lut_axes : vec4<f32>, r_mm : f32) -> vec4<f32>
 {
-    var _S72 : vec2<f32> = lut_axes.xz;
-    var _S73 : vec2<f32> = lut_axes.yw;
-    return vec4<f32>((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 0.0f) - _S72) * _S73)), (0.0f))).xyz, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 1.0f) - _S72) * _S73)), (0.0f))).xyz.x);
+    var _S81 : vec2<f32> = lut_axes.xz;
+    var _S82 : vec2<f32> = lut_axes.yw;
+    return vec4<f32>((textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 0.0f) - _S81) * _S82)), (0.0f))).xyz, (textureSampleLevel((lut), (lut_sampler), (saturate((vec2<f32>(r_mm, 1.0f) - _S81) * _S82)), (0.0f))).xyz.x);
 }
 
 fn skin_dielectric_fresnel(cosine : f32, index : f32) -> f32
 {
     var c_1 : f32 = saturate(cosine);
-    var _S74 : f32 = index * index;
-    var inside_0 : f32 = sqrt(max(_S74 - 1.0f + c_1 * c_1, 0.0f));
+    var _S83 : f32 = index * index;
+    var inside_0 : f32 = sqrt(max(_S83 - 1.0f + c_1 * c_1, 0.0f));
     var s_3 : f32 = (c_1 - inside_0) / max(c_1 + inside_0, 9.99999997475242708e-07f);
-    var _S75 : f32 = _S74 * c_1;
-    var p_2 : f32 = (_S75 - inside_0) / max(_S75 + inside_0, 9.99999997475242708e-07f);
+    var _S84 : f32 = _S83 * c_1;
+    var p_2 : f32 = (_S84 - inside_0) / max(_S84 + inside_0, 9.99999997475242708e-07f);
     return 0.5f * (s_3 * s_3 + p_2 * p_2);
 }
 
@@ -966,9 +1040,9 @@ fn skin_lamp_highlight(reflected : vec3<f32>, light : vec3<f32>, lamp : f32, rou
     var apart_1 : vec3<f32> = reflected - light;
     var chord2_0 : f32 = dot(apart_1, apart_1);
     var wide_1 : f32 = sqrt(lamp * lamp + roughness * roughness);
-    var _S76 : f32 = max(roughness, 0.00009999999747379f);
+    var _S85 : f32 = max(roughness, 0.00009999999747379f);
     var sine_1 : f32 = sin(wide_1);
-    return skin_smooth((wide_1 + _S76 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S76)) / (sine_1 * sine_1 + _S76 * _S76 / 5.0f);
+    return skin_smooth((wide_1 + _S85 - sqrt(chord2_0) * (1.0f + chord2_0 * (0.0416666679084301f + chord2_0 * 0.00468750018626451f))) / (2.0f * _S85)) / (sine_1 * sine_1 + _S85 * _S85 / 5.0f);
 }
 
 fn skin_pupil_radius(luminance : f32) -> f32
@@ -978,9 +1052,9 @@ fn skin_pupil_radius(luminance : f32) -> f32
 
 fn skin_lid_share(position_mm : vec3<f32>, exit_mm : vec3<f32>, penumbra : f32, ramp : f32, lid : vec4<f32>) -> f32
 {
-    var _S77 : f32 = lid.w;
-    var _S78 : vec3<f32> = lid.xyz;
-    return skin_smooth((_S77 - dot(_S78, exit_mm)) / penumbra + 0.5f) * saturate((_S77 - dot(_S78, position_mm)) / ramp + 0.5f);
+    var _S86 : f32 = lid.w;
+    var _S87 : vec3<f32> = lid.xyz;
+    return skin_smooth((_S86 - dot(_S87, exit_mm)) / penumbra + 0.5f) * saturate((_S86 - dot(_S87, position_mm)) / ramp + 0.5f);
 }
 
 fn skin_lid_visibility(position_mm : vec3<f32>, direction : vec3<f32>, spread : f32, margin_mm : f32, upper : vec4<f32>, lower : vec4<f32>, radius_mm : f32) -> f32
@@ -988,45 +1062,45 @@ fn skin_lid_visibility(position_mm : vec3<f32>, direction : vec3<f32>, spread : 
     var along_1 : f32 = dot(position_mm, direction);
     var distance_2 : f32 = sqrt(max(along_1 * along_1 + (radius_mm * radius_mm - dot(position_mm, position_mm)), 0.0f)) - along_1;
     var exit_mm_1 : vec3<f32> = position_mm + vec3<f32>(distance_2) * direction;
-    var _S79 : f32 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
-    var _S80 : f32 = max(2.0f * margin_mm, 0.00009999999747379f);
-    return skin_lid_share(position_mm, exit_mm_1, _S79, _S80, upper) * skin_lid_share(position_mm, exit_mm_1, _S79, _S80, lower);
+    var _S88 : f32 = max(2.0f * distance_2 * spread, 0.00009999999747379f);
+    var _S89 : f32 = max(2.0f * margin_mm, 0.00009999999747379f);
+    return skin_lid_share(position_mm, exit_mm_1, _S88, _S89, upper) * skin_lid_share(position_mm, exit_mm_1, _S88, _S89, lower);
 }
 
 fn skin_lid_hidden(position_mm : vec3<f32>, normal : vec3<f32>, lid : vec4<f32>, radius_mm : f32) -> f32
 {
-    var _S81 : vec3<f32> = lid.xyz;
-    var toward_0 : f32 = dot(_S81, normal);
+    var _S90 : vec3<f32> = lid.xyz;
+    var toward_0 : f32 = dot(_S90, normal);
     var tangent_0 : f32 = sqrt(max(1.0f - toward_0 * toward_0, 0.00009999999747379f));
-    var _S82 : vec3<f32> = vec3<f32>(toward_0);
-    var _S83 : vec3<f32> = vec3<f32>(tangent_0);
-    var bare_0 : f32 = lid.w - dot(_S81, position_mm);
-    var foot_0 : vec3<f32> = position_mm + vec3<f32>(bare_0) * _S81;
-    var along_2 : f32 = dot(foot_0, _S83 * normal - _S82 * ((_S81 - _S82 * normal) / _S83));
+    var _S91 : vec3<f32> = vec3<f32>(toward_0);
+    var _S92 : vec3<f32> = vec3<f32>(tangent_0);
+    var bare_0 : f32 = lid.w - dot(_S90, position_mm);
+    var foot_0 : vec3<f32> = position_mm + vec3<f32>(bare_0) * _S90;
+    var along_2 : f32 = dot(foot_0, _S92 * normal - _S91 * ((_S90 - _S91 * normal) / _S92));
     var radicand_1 : f32 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm * radius_mm);
     var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_2;
     var above_0 : f32 = bare_0 * toward_0 + length_0 * tangent_0;
     var beside_0 : f32 = bare_0 * tangent_0 - length_0 * toward_0;
-    var cosine_7 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
-    var _S84 : bool;
+    var cosine_8 : f32 = beside_0 / max(sqrt(above_0 * above_0 + beside_0 * beside_0), 0.00009999999747379f);
+    var _S93 : bool;
     if(above_0 > 0.0f)
     {
-        _S84 = radicand_1 > 0.0f;
+        _S93 = radicand_1 > 0.0f;
     }
     else
     {
-        _S84 = false;
+        _S93 = false;
     }
-    var _S85 : f32;
-    if(_S84)
+    var _S94 : f32;
+    if(_S93)
     {
-        _S85 = 0.5f * (1.0f - cosine_7);
+        _S94 = 0.5f * (1.0f - cosine_8);
     }
     else
     {
-        _S85 = 0.0f;
+        _S94 = 0.0f;
     }
-    return _S85;
+    return _S94;
 }
 
 fn skin_lid_openness(position_mm : vec3<f32>, normal : vec3<f32>, upper : vec4<f32>, lower : vec4<f32>, radius_mm : f32) -> f32
@@ -1043,19 +1117,19 @@ fn skin_lid_iris_hidden(position_mm : vec3<f32>, narrowed : f32, lid : vec4<f32>
 
 fn skin_lid_iris_openness(hit_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f32>, upper : vec4<f32>, lower : vec4<f32>) -> f32
 {
-    var _S86 : vec2<f32> = hit_mm.xy;
-    var _S87 : f32 = limbus.x;
-    var squared_1 : f32 = dot(_S86, _S86) / (_S87 * _S87);
+    var _S95 : vec2<f32> = hit_mm.xy;
+    var _S96 : f32 = limbus.x;
+    var squared_1 : f32 = dot(_S95, _S95) / (_S96 * _S96);
     var rim_0 : f32 = squared_1 * squared_1;
-    var entry_1 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S86;
-    var _S88 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
-    var position_1 : vec3<f32> = vec3<f32>(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
-    return saturate(1.0f - skin_lid_iris_hidden(position_1, _S88, upper) - skin_lid_iris_hidden(position_1, _S88, lower));
+    var entry_1 : vec2<f32> = vec2<f32>((0.82999998331069946f + 0.40999999642372131f * rim_0)) * _S95;
+    var _S97 : f32 = max(1.0f - 1.12000000476837158f * rim_0, 0.05000000074505806f);
+    var position_2 : vec3<f32> = vec3<f32>(entry_1, skin_eye_height(sqrt(dot(entry_1, entry_1)), cornea, limbus));
+    return saturate(1.0f - skin_lid_iris_hidden(position_2, _S97, upper) - skin_lid_iris_hidden(position_2, _S97, lower));
 }
 
 fn skin_tear_normal(position_mm : vec3<f32>, normal : vec3<f32>, lid : vec4<f32>, height_mm : f32) -> vec3<f32>
 {
-    var _S89 : vec3<f32> = lid.xyz;
-    var sine_2 : f32 = saturate(1.0f - (lid.w - dot(_S89, position_mm)) / max(height_mm, 0.00009999999747379f));
-    return skin_unit_vectors(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal - vec3<f32>(sine_2) * skin_unit_vectors(_S89 - vec3<f32>(dot(_S89, normal)) * normal));
+    var _S98 : vec3<f32> = lid.xyz;
+    var sine_2 : f32 = saturate(1.0f - (lid.w - dot(_S98, position_mm)) / max(height_mm, 0.00009999999747379f));
+    return skin_unit_vectors(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal - vec3<f32>(sine_2) * skin_unit_vectors(_S98 - vec3<f32>(dot(_S98, normal)) * normal));
 }
