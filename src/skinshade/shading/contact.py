@@ -18,8 +18,8 @@ __all__ = ["contact_filter", "contact_shadow", "contact_slope", "faded_contact",
 CONTACT_TAPS = 12
 """Taps of the contact filter. Its disk covers about four texels of a head's map."""
 CONTACT_RADIUS_MM = 0.6
-"""Radius of the contact filter: about one texel of a head's map. Radii of .4 to .8 mm differ little on grooves,
-steps and ledges of 1 mm."""
+"""Radius of the contact filter: about one texel of a head's map. Radii of .4 to .8 mm differ little on
+grooves, steps and ledges of 1 mm."""
 CONTACT_BIAS_MM = 0.8
 """Depth by which the plane of a face moves towards the light. In a hollow, neighbouring faces rise above this
 plane; with .4 mm, twice as many pixels of a scan are too dark where nothing is near."""
