@@ -18,6 +18,7 @@ from skinshade.rendering.settings import TAP_COUNTS
 
 HOST_ONLY = {
     "ambient": {"sh_basis": "inside skin_ambient_irradiance"},
+    "contact": {"unhidden_share": "inside skin_contact_filter"},
     "deep_scatter": {
         "default_sigma_per_mm": "evaluated once per profile",
         "mean_thickness": "inside skin_thickness",
