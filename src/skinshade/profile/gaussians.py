@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._core.arrays import FloatArray, as_floats
+from .._core.cache import content_hash, load_cached, store_cached
 from .._core.errors import ArgumentError
 
 __all__ = ["GaussianMixture", "fit_gaussians"]
@@ -19,6 +20,10 @@ FIT_SUM_WEIGHT = 30.0
 """Weight of the equation Σw = 1: the sum is 1 within 1e-5 before the final normalisation."""
 FIT_RIDGE = 1e-5
 """Ridge of the fit: neighbouring widths are nearly collinear in k, and their weights would be noise."""
+
+
+FIT_NAME = "gaussian-fit-1"
+"""Name of the fit in the user's cache; another algorithm needs another name."""
 
 
 @dataclass(frozen=True)
@@ -105,12 +110,26 @@ def fit_gaussians(
     mixture, residual
         The fit, and max |ΔT| over its frequencies, which is ≤ 4e-4 for Burley's profile.
     """
-    from scipy.optimize import nnls  # costs .4 s; most presets are Gaussians and need no fit
-
     low, high = rms_radius_mm.min() / 300.0, rms_radius_mm.max() * 3.0
     sigmas = np.geomspace(low, high, FIT_LOBES)
     k = np.concatenate([[0.0], np.geomspace(0.01 / high, 0.5 / low, 400)])
     target = transfer(k)
+    name = content_hash(FIT_NAME, target, sigmas)
+    stored = (load_cached(name) or {}).get("weights")
+    if stored is not None and stored.shape == (FIT_LOBES, 3):
+        weights = np.asarray(stored, dtype=np.float64)
+    else:
+        weights = _fitted_weights(k, target, sigmas)
+        store_cached(name, {"weights": weights})
+    used = weights.max(axis=1) > 0.0
+    mixture = GaussianMixture(sigmas[used] ** 2, weights[used])
+    return mixture, float(np.abs(mixture.transfer(k) - target).max())
+
+
+def _fitted_weights(k: FloatArray, target: FloatArray, sigmas: FloatArray) -> FloatArray:
+    """Return weights (n, 3) ≥ 0 of Gaussians of widths (n,) whose transfer is near a target (K, 3)."""
+    from scipy.optimize import nnls  # costs .4 s; most presets are Gaussians and need no fit
+
     basis = np.exp(-0.5 * np.square(k[:, None] * sigmas))
     rows = np.vstack(
         [basis, np.full((1, FIT_LOBES), FIT_SUM_WEIGHT), FIT_RIDGE * np.eye(FIT_LOBES)]
@@ -119,7 +138,5 @@ def fit_gaussians(
     for channel in range(3):
         right = np.concatenate([target[:, channel], [FIT_SUM_WEIGHT], np.zeros(FIT_LOBES)])
         weights[:, channel] = nnls(rows, right, maxiter=100 * FIT_LOBES)[0]
-    weights /= weights.sum(axis=0)
-    used = weights.max(axis=1) > 0.0
-    mixture = GaussianMixture(sigmas[used] ** 2, weights[used])
-    return mixture, float(np.abs(mixture.transfer(k) - target).max())
+    result: FloatArray = weights / weights.sum(axis=0)
+    return result
