@@ -13,7 +13,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 RNG_SEED = 5
 FATES = ("reflected", "limbus", "inside", "recess", "iris")
-"""What becomes of the light that falls on the cornea."""
+"""Ends of the light that falls on the cornea."""
 
 
 @dataclass(frozen=True)

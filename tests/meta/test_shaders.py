@@ -35,6 +35,7 @@ HOST_ONLY = {
     },
     "shadow": {
         "lit_share": "inside skin_shadow_filter",
+        "plane_slope": "inside skin_shadow_slope and skin_contact_slope",
         "shadow_disk": "a constant table",
     },
     "tonemap": {"tonemap": "a choice between two functions"},

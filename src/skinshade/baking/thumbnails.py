@@ -10,6 +10,7 @@ from PIL import Image
 
 from .._core.arrays import FloatArray, bounding_sphere, unit_vectors
 from .._core.files import atomic_write
+from ..mesh.topology import face_normals
 from ..params import SkinParams
 from ..profile import Profile
 from ..rendering.prepare.colours import curvature_colour
@@ -84,8 +85,7 @@ def thumbnails(meshes: Sequence[BakedMesh], profile: Profile) -> FloatArray:
         name: np.einsum("nk,nk->n", column[corners], fragments.barycentric)
         for name, column in columns.items()
     }
-    p = points[corners]
-    normal = unit_vectors(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
+    normal = unit_vectors(face_normals(points, corners))
     images = [_colour(name, values[name]) for name in names]
     images.append(_shaded(normal, values["curvature"], profile))
     strip = np.full((SIZE * SIZE, len(images), 3), PAPER)

@@ -15,6 +15,7 @@ from .._core.harmonics import cosine_factors, harmonics
 from .._core.progress import Progress, silent
 from .ray_pool import near_order
 from .rays import RayCaster, RayTracing, open_caster
+from .topology import face_normals
 
 __all__ = ["AmbientRays", "SeenFaces", "lattice_directions"]
 
@@ -164,7 +165,7 @@ class AmbientRays:
             return cls._restored(normals, turn, above, behind, stored)
         offset = OUTSIDE * bounding_sphere(positions)[1]
         caster = _Caster(open_caster(positions, faces, tracing), positions, normals, offset)
-        facing = _face_normals(positions, faces)
+        facing = face_normals(positions, faces)
         free = np.zeros((vertices, directions), dtype=np.bool_)
         depth = np.zeros((vertices, behind.shape[1]), dtype=np.float32)
         rows, columns, shares = [], [], []
@@ -215,12 +216,6 @@ class AmbientRays:
         free = np.unpackbits(stored["free"], axis=1, count=above.shape[1]).astype(np.bool_)
         seen = SeenFaces(stored["starts"], stored["faces"], stored["weights"])
         return cls(normals, turn, above, free, seen, behind, stored["depth"])
-
-    @property
-    def openness(self) -> FloatArray:
-        """Share (V,) of the directions above the surface, by weight, in which no face lies."""
-        ones = np.ones((*self.directions.shape[:2], 1))
-        return self.arriving(ones)[:, 0]
 
     def arriving(self, values: FloatArray, unoccluded: FloatArray | None = None) -> FloatArray:
         """Return the cosine-weighted means (V, K) of values of the directions; hidden ones count as 0.
@@ -339,11 +334,6 @@ def _weights(normals: FloatArray, directions: FloatArray) -> FloatArray:
     cosine = np.maximum(normals @ directions.T, 0.0)
     result: FloatArray = cosine / np.maximum(cosine.sum(axis=1, keepdims=True), 1e-12)
     return result
-
-
-def _face_normals(positions: FloatArray, faces: IntArray) -> FloatArray:
-    a, b, c = (positions[faces[:, corner]] for corner in range(3))
-    return np.cross(b - a, c - a)
 
 
 def lattice_directions(count: int) -> FloatArray:

@@ -23,7 +23,7 @@ from .._core.errors import MeshError, UnitError
 from .._core.notebook import table_html
 from .normals import vertex_normals
 from .repairs import usable_faces
-from .topology import open_edge_counts, used_vertices, weld
+from .topology import face_normals, open_edge_counts, used_vertices, weld
 
 __all__ = ["Mesh"]
 
@@ -227,10 +227,9 @@ def _complete_normals(
     completed = np.where(missing[:, None], vertex_normals(points, triangles), normals)
     zero = np.asarray(~completed.any(axis=1))
     if zero.any():
-        p = points[triangles]
-        face_normals = unit_vectors(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]))
+        own = unit_vectors(face_normals(points, triangles))
         chosen = np.tile([0.0, 0.0, 1.0], (len(points), 1))
-        chosen[triangles.ravel()] = np.repeat(face_normals, 3, axis=0)
+        chosen[triangles.ravel()] = np.repeat(own, 3, axis=0)
         completed = np.where(zero[:, None], chosen, completed)
     return unit_vectors(completed)
 

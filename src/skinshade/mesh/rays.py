@@ -15,6 +15,7 @@ from .._core.errors import ArgumentError
 from . import compiled_rays
 from .compiled_rays import CompiledHierarchy
 from .ray_frame import RayFrame, RayHits, morton_codes
+from .topology import face_normals
 
 __all__ = ["RayCaster", "RayHits", "RayTracing", "open_caster"]
 
@@ -78,11 +79,6 @@ def open_caster(
     return Embree(positions, faces)
 
 
-def _face_normals(positions: FloatArray, faces: IntArray) -> FloatArray:
-    p = positions[faces]
-    return np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-
-
 class Embree:
     """Embree, in single precision: distances are exact to 1e-6 of the body's size.
 
@@ -99,7 +95,7 @@ class Embree:
         self._middle = positions.mean(axis=0)
         # Scaled to a size of 1, single precision neither overflows nor underflows.
         self._size = float(np.ptp(positions, axis=0).max()) or 1.0
-        self._normals = _face_normals(positions, faces)
+        self._normals = face_normals(positions, faces)
         self._scene: Any = EmbreeScene(robust=True)
         points = np.ascontiguousarray((positions - self._middle) / self._size, dtype=np.float32)
         self._mesh = TriangleMesh(self._scene, points, np.ascontiguousarray(faces, dtype=np.int32))

@@ -16,6 +16,7 @@ __all__ = [
     "corner_areas",
     "edge_counts",
     "face_areas",
+    "face_normals",
     "half_edges",
     "open_edge_counts",
     "used_vertices",
@@ -157,6 +158,12 @@ def face_areas(positions: FloatArray, faces: IntArray) -> FloatArray:
         square = np.square(y * w - z * v) + np.square(z * u - x * w) + np.square(x * v - y * u)
         result[first : first + BLOCK] = 0.5 * np.sqrt(square)
     return result
+
+
+def face_normals(positions: FloatArray, faces: IntArray) -> FloatArray:
+    """Return the normals (F, 3) of faces, whose lengths are twice their areas."""
+    p = positions[faces]
+    return np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
 
 
 def corner_areas(positions: FloatArray, faces: IntArray, vertex_count: int) -> FloatArray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -166,6 +167,11 @@ class Environment:
             image += np.array(colour) * edge * edge * (3.0 - 2.0 * edge)
         return cls(image.astype(np.float32), scale)
 
+    @cached_property
+    def _coarse(self) -> FloatArray:
+        """Radiance (H, W, 3) averaged to `WORK_SIZE`, on which sums over the sphere are taken."""
+        return averaged(self.radiance, WORK_SIZE)
+
     def radiance_sh(self, order: int = 2) -> FloatArray:
         """Return the harmonics ((order + 1)², 3) of the radiance, in the order of ``sh_basis``.
 
@@ -174,7 +180,7 @@ class Environment:
         order
             Greatest band, 0..4.
         """
-        image = averaged(self.radiance, WORK_SIZE)
+        image = self._coarse
         height, width = image.shape[:2]
         directions = grid_directions(height, width).reshape(-1, 3)
         weights = np.repeat(row_solid_angle(height) / width, width)
@@ -190,7 +196,7 @@ class Environment:
 
         The cell of a direction has the texels that are nearer to it than to the others of its set.
         """
-        image = averaged(self.radiance, WORK_SIZE)
+        image = self._coarse
         height, width = image.shape[:2]
         texels = grid_directions(height, width).reshape(-1, 3)
         weights = np.repeat(row_solid_angle(height) / width, width)
@@ -207,7 +213,7 @@ class Environment:
 
     def preconvolved(self) -> PreconvolvedRadiance:
         """Return reflections at every roughness, by damping harmonics, which is smooth at any power."""
-        image = averaged(self.radiance, WORK_SIZE)
+        image = self._coarse
         # Quadrature over the half of the sphere on which the lobe is not 0.
         nodes, weights = np.polynomial.legendre.leggauss(2 * BANDS)
         nodes = 0.5 + 0.5 * nodes

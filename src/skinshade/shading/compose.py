@@ -99,13 +99,14 @@ def shade(
     for light in lights:
         for name, value in light_terms(skin, surface, channel_normals, light).items():
             terms[name] = terms[name] + value * light.radiance
+    sky_share = lobes.sky_share(skin, surface, shading)
     if surroundings is not None:
-        terms |= _ambient(skin, surface, channel_normals, surroundings, shading, gain)
+        terms |= _ambient(skin, surface, channel_normals, surroundings, shading, gain, sky_share)
     albedo = surface.albedo
     if shading == Shading.TRANSFER:
         albedo = albedo * _view_factor(skin, surface)
     if shading != Shading.CLASSIC:
-        albedo = albedo * _diffuse_share(skin, surface, shading)[:, None]
+        albedo = albedo * _diffuse_share(skin, surface, shading, sky_share)[:, None]
     for name in ("direct", "deep_scatter", "ambient", "ambient_deep_scatter"):
         terms[name] = terms[name] * albedo
     return terms
@@ -257,8 +258,9 @@ def _ambient(
     surroundings: Ambient,
     shading: Shading,
     gain: FloatArray,
+    sky_share: FloatArray,
 ) -> dict[str, FloatArray]:
-    """Return the terms of ambient light."""
+    """Return the terms of ambient light, given the share (N,) of an even sky that the coat reflects."""
     irradiance = ambient.ambient_irradiance(surroundings.radiance_sh, channel_normals)
     # Visibility and bounced light are diffused at the vertices.
     irradiance = irradiance * surroundings.visibility + surroundings.bounced
@@ -271,10 +273,9 @@ def _ambient(
             surface.mesh_normal,
             reflected_direction(surface.sharp, surface.view),
         )
-    share = lobes.sky_share(skin, surface, shading)
     terms = {
         "ambient": irradiance * gain,
-        "ambient_specular": reflected * share[:, None],
+        "ambient_specular": reflected * sky_share[:, None],
     }
     if shading == Shading.TRANSFER and surroundings.through is not None:
         terms["ambient_deep_scatter"] = (
@@ -304,12 +305,14 @@ def _view_factor(skin: Skin, surface: Surface) -> FloatArray:
     return view_factor(surface.albedo, n_dot_v, np.asarray(skin.params.reflectance))
 
 
-def _diffuse_share(skin: Skin, surface: Surface, shading: Shading) -> FloatArray:
+def _diffuse_share(
+    skin: Skin, surface: Surface, shading: Shading, sky_share: FloatArray
+) -> FloatArray:
     """Return the share (N,) of light that passes the coat and is diffused."""
     if skin.specular_model(shading) == SpecularModel.BLINN_PHONG:
         n_dot_v = dot(surface.mesh_normal, surface.view)
         return diffuse_share(n_dot_v, surface.gloss, surface.reflectance)
-    return 1.0 - lobes.sky_share(skin, surface, shading)
+    return 1.0 - sky_share
 
 
 def _specular(

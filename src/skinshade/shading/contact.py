@@ -11,7 +11,7 @@ import numpy as np
 from .._core.arrays import FloatArray, dot
 from ..lut import Lut
 from .deep_scatter import linear_depth
-from .shadow import diffused_shadow, light_coordinates, shadow_disk, smoothstep
+from .shadow import diffused_shadow, light_coordinates, plane_slope, shadow_disk, smoothstep
 
 __all__ = ["contact_filter", "contact_shadow", "contact_slope", "faded_contact", "unhidden_share"]
 
@@ -44,13 +44,7 @@ def contact_slope(
     light_right, light_up
         (3,) unit axes of the light's view.
     """
-    axis = np.cross(light_right, light_up)
-    # In left-handed axes the cross product points away from the light.
-    handedness = np.where(to_light @ axis < 0.0, -1.0, 1.0)
-    cosine = np.maximum(handedness * (face_normal @ axis), CONTACT_FADE_FROM)
-    across = np.stack([face_normal @ light_right, -(face_normal @ light_up)], axis=-1)
-    result: FloatArray = across / cosine[..., None]
-    return result
+    return plane_slope(face_normal, to_light, light_right, light_up, CONTACT_FADE_FROM)
 
 
 def contact_filter(

@@ -20,6 +20,7 @@ __all__ = [
     "diffused_shadow",
     "light_coordinates",
     "lit_share",
+    "plane_slope",
     "shadow_disk",
     "shadow_filter",
     "shadow_occluder_depth",
@@ -155,18 +156,38 @@ def shadow_slope(
     """
     sine_past = np.maximum(-dot(normal, to_light), 0.0)
     plane_normal = unit_vectors(normal + to_light * sine_past[..., None])
-    axis = np.cross(light_right, light_up)
-    # In left-handed axes the cross product points away from the light.
-    handedness = np.where(to_light @ axis < 0.0, -1.0, 1.0)
-    cosine = np.maximum(handedness * (plane_normal @ axis), 1e-3)
-    slope = (
-        np.stack([plane_normal @ light_right, -(plane_normal @ light_up)], axis=-1)
-        / cosine[..., None]
-    )
+    slope = plane_slope(plane_normal, to_light, light_right, light_up, 1e-3)
     flatness = np.clip(1.0 + curvature_per_mm / HOLLOW_PER_MM, 0.0, 1.0)
     steepest = 1.0 + (STEEPEST_SLOPE - 1.0) * flatness
     length = np.sqrt(dot(slope, slope))
     result: FloatArray = slope / np.maximum(length / steepest, 1.0)[..., None]
+    return result
+
+
+def plane_slope(
+    normal: FloatArray,
+    to_light: FloatArray,
+    light_right: FloatArray,
+    light_up: FloatArray,
+    least_cosine: float,
+) -> FloatArray:
+    """Return the slope (..., 2) of planes: change of depth per mm to the right and down in a light's map.
+
+    Parameters
+    ----------
+    normal, to_light
+        (..., 3) unit normals of the planes, and unit vectors towards the light.
+    light_right, light_up
+        (3,) unit axes of the light's view.
+    least_cosine
+        Least cosine of normal and light, which bounds the slope.
+    """
+    axis = np.cross(light_right, light_up)
+    # In left-handed axes the cross product points away from the light.
+    handedness = np.where(to_light @ axis < 0.0, -1.0, 1.0)
+    cosine = np.maximum(handedness * (normal @ axis), least_cosine)
+    across = np.stack([normal @ light_right, -(normal @ light_up)], axis=-1)
+    result: FloatArray = across / cosine[..., None]
     return result
 
 

@@ -29,7 +29,7 @@ def lit(mesh, sky=EVEN, lamps=(), albedo=GREY, **options):
     filters = [build_filter(ShadowFilter.PERCENTAGE_CLOSER, each, width) for each in maps]
     lights = list(zip(lamps, filters, strict=True))
     colours = np.broadcast_to(albedo, mesh.positions.shape)
-    return gather_ambient_light(mesh, sky, lights, SKIN, colours, **options)
+    return gather_ambient_light(mesh, sky, sky.radiance_sh(4), lights, SKIN, colours, **options)
 
 
 def visibility(light):

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..._core.arrays import FloatArray, ImageArray, IntArray, dot, unit_vectors
 from ..._core.progress import Progress, silent
+from ...mesh.topology import face_normals
 from ...params.choices import TERM_VIEWS, AmbientForm, MaterialMap, Shading, ShadowFilter, View
 from ...scene import Camera, Light, Scene
 from ...shading.compose import shade
@@ -79,6 +80,8 @@ class CpuRenderer(Renderer):
         self.scene = scene
         self.prepared = prepare_scene(scene, progress, form=ambient)
         self._progress = progress
+        faces = self.prepared.vertices.faces
+        self._face_normals = unit_vectors(face_normals(scene.mesh.positions_mm, faces))
         self._skins = [part.skin for part in self.prepared.parts]
         self._filters: Filters = {}
         if self.prepared.closer_filters:
@@ -208,7 +211,9 @@ class CpuRenderer(Renderer):
         }
         contacts: list[FloatArray | None] = [None] * len(to_light)
         if any(setting.has_contact for setting in settings):
-            normal = self._face_normals(chunk, surface)
+            normal = self._face_normals[chunk.face]
+            # The contact filter needs the side of the mesh's normals.
+            normal = np.where(dot(normal, surface.mesh_normal)[:, None] < 0.0, -normal, normal)
             contacts = [
                 _contact(shadow_map, direction, position, normal)
                 for shadow_map, direction in zip(self.prepared.shadow_maps, to_light, strict=True)
@@ -232,13 +237,6 @@ class CpuRenderer(Renderer):
             own = ambient[skin.specular_model(setting.shading)]
             colours.append(_colour(skin, surfaces[setting.normal_fetches], lights, own, setting))
         return colours
-
-    def _face_normals(self, chunk: Fragments, surface: Surface) -> FloatArray:
-        """Return the unit normals (N, 3) of the faces of a chunk, on the side of the mesh's normals."""
-        corners = self.scene.mesh.positions_mm[self.prepared.vertices.faces[chunk.face]]
-        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        side = np.where(dot(normal, surface.mesh_normal) < 0.0, -1.0, 1.0)
-        return unit_vectors(normal * side[:, None])
 
     def _ambient(
         self, columns: Columns, surface: Surface, skin: Skin, shading: Shading

@@ -57,6 +57,7 @@ class AmbientLight:
 def gather_ambient_light(
     mesh: Mesh,
     environment: Environment,
+    bands: FloatArray,
     lights: Sequence[tuple[Light, WideFilter]],
     skin: Skin,
     albedo: FloatArray,
@@ -71,6 +72,8 @@ def gather_ambient_light(
         Faces that hide the sky and reflect its light.
     environment
         The sky.
+    bands
+        (25, 3) harmonics of the sky's radiance.
     lights
         Lights with their wide filters; their light bounces from the surface.
     skin
@@ -83,8 +86,7 @@ def gather_ambient_light(
         Called with the name of the work and the fraction that is done.
     """
     rays = AmbientRays.cast(mesh.positions_mm, mesh.faces, mesh.normals, progress=progress)
-    radiance_sh = environment.radiance_sh(max(form.order, 2))
-    nine = radiance_sh[:9]
+    radiance_sh, nine = bands[: (form.order + 1) ** 2], bands[:9]
     sky = rays.visible_harmonics(max(form.order, LAMP_ORDER))
     reflectance = share_sent_back(np.clip(albedo, 0.0, 1.0))
 
@@ -92,9 +94,7 @@ def gather_ambient_light(
         return rays.bounced(light, reflectance, mesh.faces, BOUNCES)
 
     if form == AmbientForm.STATIC:
-        exact = harmonics(mesh.normals, MOST_ORDER) @ (
-            cosine_factors(MOST_ORDER)[:, None] * environment.radiance_sh(MOST_ORDER)
-        )
+        exact = harmonics(mesh.normals, MOST_ORDER) @ (cosine_factors(MOST_ORDER)[:, None] * bands)
         arriving = np.maximum(rays.arriving(environment.means_around(rays.directions), exact), 0.0)
         from_body = bounced(arriving + _direct(mesh, lights))
     else:

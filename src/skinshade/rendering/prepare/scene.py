@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from ..._core.arrays import FloatArray
+from ..._core.harmonics import MOST_ORDER
 from ..._core.limits import limits
 from ..._core.progress import Progress, silent
 from ...mesh import Mesh
@@ -103,11 +104,13 @@ def prepare_scene(
         width = skin.params.shadow_filter_width_mm
         kind = ShadowFilter.PERCENTAGE_CLOSER
         closer_filters = [build_filter(kind, shadow_map, width) for shadow_map in shadow_maps]
-        radiance_sh = environment.radiance_sh()
+        bands = environment.radiance_sh(MOST_ORDER)
+        radiance_sh = bands[:9]
         preconvolved = environment.preconvolved()
         ambient = gather_ambient_light(
             casting,
             environment,
+            bands,
             list(zip(lights, closer_filters, strict=True)),
             skin,
             vertex_albedo(scene.mesh, parts, faces),

@@ -450,9 +450,8 @@ fn run_shadow_receiver(@builtin(global_invocation_id) thread_16 : vec3<u32>)
     return;
 }
 
-fn skin_shadow_slope_0( normal_2 : vec3<f32>,  to_light_1 : vec3<f32>,  curvature_per_mm_4 : f32,  light_right_0 : vec3<f32>,  light_up_0 : vec3<f32>) -> vec2<f32>
+fn skin_plane_slope_0( normal_2 : vec3<f32>,  to_light_1 : vec3<f32>,  light_right_0 : vec3<f32>,  light_up_0 : vec3<f32>,  least_cosine_0 : f32) -> vec2<f32>
 {
-    var plane_normal_0 : vec3<f32> = skin_unit_vectors_0(normal_2 + to_light_1 * vec3<f32>(max(- dot(normal_2, to_light_1), 0.0f)));
     var axis_0 : vec3<f32> = cross(light_right_0, light_up_0);
     var handedness_0 : f32;
     if((dot(to_light_1, axis_0)) < 0.0f)
@@ -463,7 +462,12 @@ fn skin_shadow_slope_0( normal_2 : vec3<f32>,  to_light_1 : vec3<f32>,  curvatur
     {
         handedness_0 = 1.0f;
     }
-    var slope_4 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right_0), - dot(plane_normal_0, light_up_0)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return vec2<f32>(dot(normal_2, light_right_0), - dot(normal_2, light_up_0)) / vec2<f32>(max(handedness_0 * dot(normal_2, axis_0), least_cosine_0));
+}
+
+fn skin_shadow_slope_0( normal_3 : vec3<f32>,  to_light_2 : vec3<f32>,  curvature_per_mm_4 : f32,  light_right_1 : vec3<f32>,  light_up_1 : vec3<f32>) -> vec2<f32>
+{
+    var slope_4 : vec2<f32> = skin_plane_slope_0(skin_unit_vectors_0(normal_3 + to_light_2 * vec3<f32>(max(- dot(normal_3, to_light_2), 0.0f))), to_light_2, light_right_1, light_up_1, 0.00100000004749745f);
     return slope_4 / vec2<f32>(max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm_4 / 0.03999999910593033f)), 1.0f));
 }
 
@@ -516,10 +520,10 @@ fn skin_shadow_compare_0( depth_map_1 : texture_2d<f32>,  depth_map_sampler_1 : 
     return mix(rows_1.x, rows_1.y, weights_1.y);
 }
 
-fn skin_shadow_filter_0( depth_map_2 : texture_2d<f32>,  depth_map_sampler_2 : sampler,  map_extent_2 : vec2<f32>,  view_1 : mat4x4<f32>,  projection_3 : mat4x4<f32>,  position_mm_2 : vec3<f32>,  normal_3 : vec3<f32>,  to_light_2 : vec3<f32>,  curvature_per_mm_5 : f32,  filter_width_mm_0 : f32,  bias_mm_0 : f32,  taps_0 : i32) -> f32
+fn skin_shadow_filter_0( depth_map_2 : texture_2d<f32>,  depth_map_sampler_2 : sampler,  map_extent_2 : vec2<f32>,  view_1 : mat4x4<f32>,  projection_3 : mat4x4<f32>,  position_mm_2 : vec3<f32>,  normal_4 : vec3<f32>,  to_light_3 : vec3<f32>,  curvature_per_mm_5 : f32,  filter_width_mm_0 : f32,  bias_mm_0 : f32,  taps_0 : i32) -> f32
 {
-    var coordinates_0 : vec4<f32> = skin_light_coordinates_0(skin_shadow_receiver_0(position_mm_2, normal_3, to_light_2, curvature_per_mm_5), view_1, projection_3);
-    var _S48 : vec2<f32> = skin_shadow_slope_0(normal_3, to_light_2, curvature_per_mm_5, view_1[i32(0)].xyz, view_1[i32(1)].xyz);
+    var coordinates_0 : vec4<f32> = skin_light_coordinates_0(skin_shadow_receiver_0(position_mm_2, normal_4, to_light_3, curvature_per_mm_5), view_1, projection_3);
+    var _S48 : vec2<f32> = skin_shadow_slope_0(normal_4, to_light_3, curvature_per_mm_5, view_1[i32(0)].xyz, view_1[i32(1)].xyz);
     var _S49 : vec2<f32> = vec2<f32>(0.5f) * vec2<f32>(abs(projection_3[i32(0)].x), abs(projection_3[i32(1)].y)) / vec2<f32>(abs(coordinates_0.w));
     var tap_0 : i32 = i32(0);
     var total_1 : f32 = 0.0f;
@@ -610,19 +614,9 @@ fn run_variance_shadow(@builtin(global_invocation_id) thread_22 : vec3<u32>)
     return;
 }
 
-fn skin_contact_slope_0( face_normal_0 : vec3<f32>,  to_light_3 : vec3<f32>,  light_right_1 : vec3<f32>,  light_up_1 : vec3<f32>) -> vec2<f32>
+fn skin_contact_slope_0( face_normal_0 : vec3<f32>,  to_light_4 : vec3<f32>,  light_right_2 : vec3<f32>,  light_up_2 : vec3<f32>) -> vec2<f32>
 {
-    var axis_1 : vec3<f32> = cross(light_right_1, light_up_1);
-    var handedness_1 : f32;
-    if((dot(to_light_3, axis_1)) < 0.0f)
-    {
-        handedness_1 = -1.0f;
-    }
-    else
-    {
-        handedness_1 = 1.0f;
-    }
-    return vec2<f32>(dot(face_normal_0, light_right_1), - dot(face_normal_0, light_up_1)) / vec2<f32>(max(handedness_1 * dot(face_normal_0, axis_1), 0.05000000074505806f));
+    return skin_plane_slope_0(face_normal_0, to_light_4, light_right_2, light_up_2, 0.05000000074505806f);
 }
 
 @compute
@@ -667,10 +661,10 @@ fn skin_contact_compare_0( depths_0 : vec4<f32>,  receiver_mm_1 : f32,  rise_0 :
     return mix(rows_2.x, rows_2.y, weights_2.y);
 }
 
-fn skin_contact_filter_0( depth_map_3 : texture_2d<f32>,  depth_map_sampler_3 : sampler,  map_extent_3 : vec2<f32>,  view_2 : mat4x4<f32>,  projection_4 : mat4x4<f32>,  position_mm_3 : vec3<f32>,  face_normal_1 : vec3<f32>,  to_light_4 : vec3<f32>) -> f32
+fn skin_contact_filter_0( depth_map_3 : texture_2d<f32>,  depth_map_sampler_3 : sampler,  map_extent_3 : vec2<f32>,  view_2 : mat4x4<f32>,  projection_4 : mat4x4<f32>,  position_mm_3 : vec3<f32>,  face_normal_1 : vec3<f32>,  to_light_5 : vec3<f32>) -> f32
 {
     var coordinates_1 : vec4<f32> = skin_light_coordinates_0(position_mm_3, view_2, projection_4);
-    var slope_6 : vec2<f32> = skin_contact_slope_0(face_normal_1, to_light_4, view_2[i32(0)].xyz, view_2[i32(1)].xyz);
+    var slope_6 : vec2<f32> = skin_contact_slope_0(face_normal_1, to_light_5, view_2[i32(0)].xyz, view_2[i32(1)].xyz);
     var _S62 : vec2<f32> = vec2<f32>(0.5f);
     var texels_per_mm_0 : vec2<f32> = _S62 * vec2<f32>(abs(projection_4[i32(0)].x), abs(projection_4[i32(1)].y)) / vec2<f32>(abs(coordinates_1.w)) * map_extent_3;
     var _S63 : vec2<f32> = slope_6 / texels_per_mm_0;
@@ -698,7 +692,7 @@ fn skin_contact_filter_0( depth_map_3 : texture_2d<f32>,  depth_map_sampler_3 : 
         tap_1 = tap_1 + i32(1);
         total_3 = total_4;
     }
-    return skin_faded_contact_0(total_3 / 12.0f, dot(face_normal_1, to_light_4));
+    return skin_faded_contact_0(total_3 / 12.0f, dot(face_normal_1, to_light_5));
 }
 
 @compute
@@ -738,9 +732,9 @@ fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S72 + sh_0[i32(0)].z * _S73 + sh_0[i32(1)].x * _S74), 1.09254848957061768f * (sh_0[i32(1)].y * _S74 * _S72 + sh_0[i32(1)].z * _S72 * _S73 + sh_0[i32(2)].y * _S74 * _S73) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S73 * _S73 - dot(d_0, d_0)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S74 * _S74 - _S72 * _S72));
 }
 
-fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_4 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_5 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
 {
-    return max(dot(skin_sh_bands_0(sh_1, normal_4), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_4)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    return max(dot(skin_sh_bands_0(sh_1, normal_5), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_5)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_5 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
@@ -856,10 +850,10 @@ fn run_transferred_irradiance(@builtin(global_invocation_id) thread_31 : vec3<u3
     return;
 }
 
-fn skin_reflected_visibility_0( sky_harmonics_0 : mat3x3<f32>,  normal_5 : vec3<f32>,  direction_0 : vec3<f32>) -> f32
+fn skin_reflected_visibility_0( sky_harmonics_0 : mat3x3<f32>,  normal_6 : vec3<f32>,  direction_0 : vec3<f32>) -> f32
 {
     var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_0, direction_0);
-    var _S91 : f32 = max(dot(normal_5, direction_0), 0.0f);
+    var _S91 : f32 = max(dot(normal_6, direction_0), 0.0f);
     return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S91 * (2.0f + 1.875f * _S91)) * 0.07957746833562851f));
 }
 
@@ -873,9 +867,9 @@ fn run_reflected_visibility(@builtin(global_invocation_id) thread_32 : vec3<u32>
     return;
 }
 
-fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_0 : vec3<f32>,  sky_harmonics_1 : mat3x3<f32>,  normal_6 : vec3<f32>,  direction_1 : vec3<f32>) -> vec3<f32>
+fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_0 : vec3<f32>,  sky_harmonics_1 : mat3x3<f32>,  normal_7 : vec3<f32>,  direction_1 : vec3<f32>) -> vec3<f32>
 {
-    return mix(bounced_0 / vec3<f32>(max(1.0f - sky_harmonics_1[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_1, normal_6, direction_1)));
+    return mix(bounced_0 / vec3<f32>(max(1.0f - sky_harmonics_1[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_1, normal_7, direction_1)));
 }
 
 @compute
@@ -928,9 +922,9 @@ fn run_linear_depth(@builtin(global_invocation_id) thread_35 : vec3<u32>)
     return;
 }
 
-fn skin_inward_offset_0( position_mm_4 : vec3<f32>,  normal_7 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+fn skin_inward_offset_0( position_mm_4 : vec3<f32>,  normal_8 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
 {
-    return position_mm_4 - normal_7 * vec3<f32>(offset_mm_0);
+    return position_mm_4 - normal_8 * vec3<f32>(offset_mm_0);
 }
 
 @compute
@@ -1135,12 +1129,12 @@ fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_2 : f32,  n_dot_v_3 : f32,  power_2 : 
     return (power_2 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_2) * (0.25f / ((k_0 + _S114 * n_dot_l_2) * (k_0 + _S114 * n_dot_v_3)));
 }
 
-fn skin_specular_0( normal_8 : vec3<f32>,  view_3 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_1 : f32) -> f32
+fn skin_specular_0( normal_9 : vec3<f32>,  view_3 : vec3<f32>,  light_5 : vec3<f32>,  gloss_2 : f32,  reflectance_1 : f32) -> f32
 {
     var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_3 + light_5);
-    var n_dot_l_3 : f32 = saturate(dot(normal_8, light_5));
-    var n_dot_v_4 : f32 = clamp(dot(normal_8, view_3), 0.00009999999747379f, 1.0f);
-    var n_dot_h_1 : f32 = saturate(dot(normal_8, half_vector_0));
+    var n_dot_l_3 : f32 = saturate(dot(normal_9, light_5));
+    var n_dot_v_4 : f32 = clamp(dot(normal_9, view_3), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_9, half_vector_0));
     var wide_0 : f32 = skin_specular_power_0(gloss_2);
     var grazing_0 : f32 = 1.0f - saturate(dot(view_3, half_vector_0));
     var grazing2_0 : f32 = grazing_0 * grazing_0;
@@ -1157,9 +1151,9 @@ fn run_specular(@builtin(global_invocation_id) thread_46 : vec3<u32>)
     return;
 }
 
-fn skin_reflected_0( normal_9 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+fn skin_reflected_0( normal_10 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>((2.0f * dot(normal_9, view_4))) * normal_9 - view_4;
+    return vec3<f32>((2.0f * dot(normal_10, view_4))) * normal_10 - view_4;
 }
 
 @compute
@@ -1257,15 +1251,15 @@ fn run_coat_fresnel(@builtin(global_invocation_id) thread_52 : vec3<u32>)
     return;
 }
 
-fn skin_coat_highlight_0( normal_10 : vec3<f32>,  view_5 : vec3<f32>,  light_6 : vec3<f32>,  gloss_7 : f32,  reflectance_5 : f32) -> f32
+fn skin_coat_highlight_0( normal_11 : vec3<f32>,  view_5 : vec3<f32>,  light_6 : vec3<f32>,  gloss_7 : f32,  reflectance_5 : f32) -> f32
 {
     var half_vector_1 : vec3<f32> = skin_unit_vectors_0(view_5 + light_6);
-    var n_dot_l_4 : f32 = saturate(dot(normal_10, light_6));
-    var n_dot_v_7 : f32 = clamp(dot(normal_10, view_5), 0.00009999999747379f, 1.0f);
-    var n_dot_h_2 : f32 = saturate(dot(normal_10, half_vector_1));
+    var n_dot_l_4 : f32 = saturate(dot(normal_11, light_6));
+    var n_dot_v_7 : f32 = clamp(dot(normal_11, view_5), 0.00009999999747379f, 1.0f);
+    var n_dot_h_2 : f32 = saturate(dot(normal_11, half_vector_1));
     var v_dot_h_0 : f32 = saturate(dot(view_5, half_vector_1));
     var squared_0 : f32 = 2.0f / (skin_specular_power_0(gloss_7) + 2.0f);
-    var side_0 : vec3<f32> = cross(normal_10, half_vector_1);
+    var side_0 : vec3<f32> = cross(normal_11, half_vector_1);
     var sine2_0 : f32;
     if(n_dot_h_2 > 0.0f)
     {
@@ -1310,10 +1304,10 @@ fn run_coat(@builtin(global_invocation_id) thread_54 : vec3<u32>)
     return;
 }
 
-fn skin_coat_direction_0( normal_11 : vec3<f32>,  view_6 : vec3<f32>,  pull_0 : f32) -> vec3<f32>
+fn skin_coat_direction_0( normal_12 : vec3<f32>,  view_6 : vec3<f32>,  pull_0 : f32) -> vec3<f32>
 {
-    var mirrored_0 : vec3<f32> = skin_reflected_0(normal_11, view_6);
-    return skin_unit_vectors_0(mirrored_0 + vec3<f32>(pull_0) * (normal_11 - mirrored_0));
+    var mirrored_0 : vec3<f32> = skin_reflected_0(normal_12, view_6);
+    return skin_unit_vectors_0(mirrored_0 + vec3<f32>(pull_0) * (normal_12 - mirrored_0));
 }
 
 @compute
@@ -1718,11 +1712,11 @@ fn skin_eye_normal_0( position_mm_5 : vec3<f32>,  cornea_3 : vec4<f32>,  limbus_
     {
         in_front_0 = false;
     }
-    var normal_12 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S172, 1.0f);
+    var normal_13 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S172, 1.0f);
     var _S173 : vec3<f32>;
     if(in_front_0)
     {
-        _S173 = normal_12;
+        _S173 = normal_13;
     }
     else
     {
@@ -1823,11 +1817,11 @@ fn run_eye_limbal_opacity(@builtin(global_invocation_id) thread_72 : vec3<u32>)
     return;
 }
 
-fn skin_eye_iris_hit_0( position_mm_6 : vec3<f32>,  normal_13 : vec3<f32>,  view_7 : vec3<f32>,  cornea_5 : vec4<f32>,  iris_0 : vec4<f32>) -> vec3<f32>
+fn skin_eye_iris_hit_0( position_mm_6 : vec3<f32>,  normal_14 : vec3<f32>,  view_7 : vec3<f32>,  cornea_5 : vec4<f32>,  iris_0 : vec4<f32>) -> vec3<f32>
 {
     var eta_0 : f32 = 1.0f / cornea_5.w;
-    var _S185 : f32 = max(dot(normal_13, view_7), 0.0f);
-    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S185 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S185 * _S185), 0.0f)))) * normal_13 - vec3<f32>(eta_0) * view_7;
+    var _S185 : f32 = max(dot(normal_14, view_7), 0.0f);
+    var d_1 : vec3<f32> = vec3<f32>((eta_0 * _S185 - sqrt(max(1.0f - eta_0 * eta_0 * (1.0f - _S185 * _S185), 0.0f)))) * normal_14 - vec3<f32>(eta_0) * view_7;
     var h_0 : f32 = iris_0.x - position_mm_6.z;
     var _S186 : f32 = iris_0.y;
     var m2_0 : f32 = _S186 * _S186;
@@ -2124,16 +2118,16 @@ fn run_lid_visibility(@builtin(global_invocation_id) thread_82 : vec3<u32>)
     return;
 }
 
-fn skin_lid_hidden_0( position_mm_9 : vec3<f32>,  normal_14 : vec3<f32>,  lid_1 : vec4<f32>,  radius_mm_4 : f32) -> f32
+fn skin_lid_hidden_0( position_mm_9 : vec3<f32>,  normal_15 : vec3<f32>,  lid_1 : vec4<f32>,  radius_mm_4 : f32) -> f32
 {
     var _S226 : vec3<f32> = lid_1.xyz;
-    var toward_0 : f32 = dot(_S226, normal_14);
+    var toward_0 : f32 = dot(_S226, normal_15);
     var tangent_0 : f32 = sqrt(max(1.0f - toward_0 * toward_0, 0.00009999999747379f));
     var _S227 : vec3<f32> = vec3<f32>(toward_0);
     var _S228 : vec3<f32> = vec3<f32>(tangent_0);
     var bare_0 : f32 = lid_1.w - dot(_S226, position_mm_9);
     var foot_0 : vec3<f32> = position_mm_9 + vec3<f32>(bare_0) * _S226;
-    var along_2 : f32 = dot(foot_0, _S228 * normal_14 - _S227 * ((_S226 - _S227 * normal_14) / _S228));
+    var along_2 : f32 = dot(foot_0, _S228 * normal_15 - _S227 * ((_S226 - _S227 * normal_15) / _S228));
     var radicand_1 : f32 = along_2 * along_2 - (dot(foot_0, foot_0) - radius_mm_4 * radius_mm_4);
     var length_0 : f32 = sqrt(max(radicand_1, 0.0f)) - along_2;
     var above_0 : f32 = bare_0 * toward_0 + length_0 * tangent_0;
@@ -2160,9 +2154,9 @@ fn skin_lid_hidden_0( position_mm_9 : vec3<f32>,  normal_14 : vec3<f32>,  lid_1 
     return _S230;
 }
 
-fn skin_lid_openness_0( position_mm_10 : vec3<f32>,  normal_15 : vec3<f32>,  upper_1 : vec4<f32>,  lower_1 : vec4<f32>,  radius_mm_5 : f32) -> f32
+fn skin_lid_openness_0( position_mm_10 : vec3<f32>,  normal_16 : vec3<f32>,  upper_1 : vec4<f32>,  lower_1 : vec4<f32>,  radius_mm_5 : f32) -> f32
 {
-    return saturate(1.0f - skin_lid_hidden_0(position_mm_10, normal_15, upper_1, radius_mm_5) - skin_lid_hidden_0(position_mm_10, normal_15, lower_1, radius_mm_5));
+    return saturate(1.0f - skin_lid_hidden_0(position_mm_10, normal_16, upper_1, radius_mm_5) - skin_lid_hidden_0(position_mm_10, normal_16, lower_1, radius_mm_5));
 }
 
 @compute
@@ -2204,11 +2198,11 @@ fn run_lid_iris_openness(@builtin(global_invocation_id) thread_84 : vec3<u32>)
     return;
 }
 
-fn skin_tear_normal_0( position_mm_12 : vec3<f32>,  normal_16 : vec3<f32>,  lid_3 : vec4<f32>,  height_mm_1 : f32) -> vec3<f32>
+fn skin_tear_normal_0( position_mm_12 : vec3<f32>,  normal_17 : vec3<f32>,  lid_3 : vec4<f32>,  height_mm_1 : f32) -> vec3<f32>
 {
     var _S236 : vec3<f32> = lid_3.xyz;
     var sine_2 : f32 = saturate(1.0f - (lid_3.w - dot(_S236, position_mm_12)) / max(height_mm_1, 0.00009999999747379f));
-    return skin_unit_vectors_0(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal_16 - vec3<f32>(sine_2) * skin_unit_vectors_0(_S236 - vec3<f32>(dot(_S236, normal_16)) * normal_16));
+    return skin_unit_vectors_0(vec3<f32>(sqrt(max(1.0f - sine_2 * sine_2, 0.0f))) * normal_17 - vec3<f32>(sine_2) * skin_unit_vectors_0(_S236 - vec3<f32>(dot(_S236, normal_17)) * normal_17));
 }
 
 @compute

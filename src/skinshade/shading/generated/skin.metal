@@ -264,9 +264,8 @@ float3 skin_shadow_receiver(float3 position_mm, float3 normal, float3 to_light, 
     return position_mm + skin_unit_vectors(to_light - normal * float3(cosine_1) ) * float3(min(max(- cosine_1, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f)) ;
 }
 
-float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm, float3 light_right, float3 light_up)
+float2 skin_plane_slope(float3 normal, float3 to_light, float3 light_right, float3 light_up, float least_cosine)
 {
-    float3 plane_normal_0 = skin_unit_vectors(normal + to_light * float3(max(- dot(normal, to_light), 0.0f)) );
     float3 axis_0 = cross(light_right, light_up);
     float handedness_0;
     if((dot(to_light, axis_0)) < 0.0f)
@@ -277,7 +276,12 @@ float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm,
     {
         handedness_0 = 1.0f;
     }
-    float2 slope_4 = float2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / float2(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f)) ;
+    return float2(dot(normal, light_right), - dot(normal, light_up)) / float2(max(handedness_0 * dot(normal, axis_0), least_cosine)) ;
+}
+
+float2 skin_shadow_slope(float3 normal, float3 to_light, float curvature_per_mm, float3 light_right, float3 light_up)
+{
+    float2 slope_4 = skin_plane_slope(skin_unit_vectors(normal + to_light * float3(max(- dot(normal, to_light), 0.0f)) ), to_light, light_right, light_up, 0.00100000004749745f);
     return slope_4 / float2(max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f)) ;
 }
 
@@ -354,17 +358,7 @@ float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, flo
 
 float2 skin_contact_slope(float3 face_normal, float3 to_light, float3 light_right, float3 light_up)
 {
-    float3 axis_1 = cross(light_right, light_up);
-    float handedness_1;
-    if((dot(to_light, axis_1)) < 0.0f)
-    {
-        handedness_1 = -1.0f;
-    }
-    else
-    {
-        handedness_1 = 1.0f;
-    }
-    return float2(dot(face_normal, light_right), - dot(face_normal, light_up)) / float2(max(handedness_1 * dot(face_normal, axis_1), 0.05000000074505806f)) ;
+    return skin_plane_slope(face_normal, to_light, light_right, light_up, 0.05000000074505806f);
 }
 
 float skin_faded_contact(float share, float cosine)
@@ -816,11 +810,11 @@ float3 skin_eye_normal(float3 position_mm, float4 cornea, float4 limbus)
     {
         in_front_0 = false;
     }
-    float3 normal_12 = float3(float2(- slope_over_r_0)  * _S56, 1.0f);
+    float3 normal_13 = float3(float2(- slope_over_r_0)  * _S56, 1.0f);
     float3 _S57;
     if(in_front_0)
     {
-        _S57 = normal_12;
+        _S57 = normal_13;
     }
     else
     {

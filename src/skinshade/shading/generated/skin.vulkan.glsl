@@ -270,9 +270,8 @@ vec3 skin_shadow_receiver(vec3 position_mm, vec3 normal, vec3 to_light, float cu
     return position_mm + skin_unit_vectors(to_light - normal * cosine_1) * min(max(- cosine_1, 0.0) / max(curvature_per_mm, 0.00100000004749745), 8.0);
 }
 
-vec2 skin_shadow_slope(vec3 normal, vec3 to_light, float curvature_per_mm, vec3 light_right, vec3 light_up)
+vec2 skin_plane_slope(vec3 normal, vec3 to_light, vec3 light_right, vec3 light_up, float least_cosine)
 {
-    vec3 plane_normal_0 = skin_unit_vectors(normal + to_light * max(- dot(normal, to_light), 0.0));
     vec3 axis_0 = cross(light_right, light_up);
     float handedness_0;
     if((dot(to_light, axis_0)) < 0.0)
@@ -283,7 +282,12 @@ vec2 skin_shadow_slope(vec3 normal, vec3 to_light, float curvature_per_mm, vec3 
     {
         handedness_0 = 1.0;
     }
-    vec2 slope_4 = vec2(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745);
+    return vec2(dot(normal, light_right), - dot(normal, light_up)) / max(handedness_0 * dot(normal, axis_0), least_cosine);
+}
+
+vec2 skin_shadow_slope(vec3 normal, vec3 to_light, float curvature_per_mm, vec3 light_right, vec3 light_up)
+{
+    vec2 slope_4 = skin_plane_slope(skin_unit_vectors(normal + to_light * max(- dot(normal, to_light), 0.0)), to_light, light_right, light_up, 0.00100000004749745);
     return slope_4 / max(length(slope_4) / (1.0 + 7.0 * skin_saturate_0(1.0 + curvature_per_mm / 0.03999999910593033)), 1.0);
 }
 
@@ -358,17 +362,7 @@ float skin_variance_shadow(float mean_depth_mm, float mean_square_depth_mm2, flo
 
 vec2 skin_contact_slope(vec3 face_normal, vec3 to_light, vec3 light_right, vec3 light_up)
 {
-    vec3 axis_1 = cross(light_right, light_up);
-    float handedness_1;
-    if((dot(to_light, axis_1)) < 0.0)
-    {
-        handedness_1 = -1.0;
-    }
-    else
-    {
-        handedness_1 = 1.0;
-    }
-    return vec2(dot(face_normal, light_right), - dot(face_normal, light_up)) / max(handedness_1 * dot(face_normal, axis_1), 0.05000000074505806);
+    return skin_plane_slope(face_normal, to_light, light_right, light_up, 0.05000000074505806);
 }
 
 float skin_faded_contact(float share, float cosine)
@@ -824,11 +818,11 @@ vec3 skin_eye_normal(vec3 position_mm, vec4 cornea, vec4 limbus)
     {
         in_front_0 = false;
     }
-    vec3 normal_12 = vec3(- slope_over_r_0 * _S46, 1.0);
+    vec3 normal_13 = vec3(- slope_over_r_0 * _S46, 1.0);
     vec3 _S47;
     if(in_front_0)
     {
-        _S47 = normal_12;
+        _S47 = normal_13;
     }
     else
     {

@@ -267,9 +267,8 @@ fn skin_shadow_receiver(position_mm : vec3<f32>, normal : vec3<f32>, to_light : 
     return position_mm + skin_unit_vectors(to_light - normal * vec3<f32>(cosine_1)) * vec3<f32>(min(max(- cosine_1, 0.0f) / max(curvature_per_mm, 0.00100000004749745f), 8.0f));
 }
 
-fn skin_shadow_slope(normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32, light_right : vec3<f32>, light_up : vec3<f32>) -> vec2<f32>
+fn skin_plane_slope(normal : vec3<f32>, to_light : vec3<f32>, light_right : vec3<f32>, light_up : vec3<f32>, least_cosine : f32) -> vec2<f32>
 {
-    var plane_normal_0 : vec3<f32> = skin_unit_vectors(normal + to_light * vec3<f32>(max(- dot(normal, to_light), 0.0f)));
     var axis_0 : vec3<f32> = cross(light_right, light_up);
     var handedness_0 : f32;
     if((dot(to_light, axis_0)) < 0.0f)
@@ -280,7 +279,12 @@ fn skin_shadow_slope(normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm 
     {
         handedness_0 = 1.0f;
     }
-    var slope_4 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right), - dot(plane_normal_0, light_up)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return vec2<f32>(dot(normal, light_right), - dot(normal, light_up)) / vec2<f32>(max(handedness_0 * dot(normal, axis_0), least_cosine));
+}
+
+fn skin_shadow_slope(normal : vec3<f32>, to_light : vec3<f32>, curvature_per_mm : f32, light_right : vec3<f32>, light_up : vec3<f32>) -> vec2<f32>
+{
+    var slope_4 : vec2<f32> = skin_plane_slope(skin_unit_vectors(normal + to_light * vec3<f32>(max(- dot(normal, to_light), 0.0f))), to_light, light_right, light_up, 0.00100000004749745f);
     return slope_4 / vec2<f32>(max(length(slope_4) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm / 0.03999999910593033f)), 1.0f));
 }
 
@@ -357,17 +361,7 @@ fn skin_variance_shadow(mean_depth_mm : f32, mean_square_depth_mm2 : f32, depth_
 
 fn skin_contact_slope(face_normal : vec3<f32>, to_light : vec3<f32>, light_right : vec3<f32>, light_up : vec3<f32>) -> vec2<f32>
 {
-    var axis_1 : vec3<f32> = cross(light_right, light_up);
-    var handedness_1 : f32;
-    if((dot(to_light, axis_1)) < 0.0f)
-    {
-        handedness_1 = -1.0f;
-    }
-    else
-    {
-        handedness_1 = 1.0f;
-    }
-    return vec2<f32>(dot(face_normal, light_right), - dot(face_normal, light_up)) / vec2<f32>(max(handedness_1 * dot(face_normal, axis_1), 0.05000000074505806f));
+    return skin_plane_slope(face_normal, to_light, light_right, light_up, 0.05000000074505806f);
 }
 
 fn skin_faded_contact(share : f32, cosine : f32) -> f32
@@ -819,11 +813,11 @@ fn skin_eye_normal(position_mm : vec3<f32>, cornea : vec4<f32>, limbus : vec4<f3
     {
         in_front_0 = false;
     }
-    var normal_12 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S56, 1.0f);
+    var normal_13 : vec3<f32> = vec3<f32>(vec2<f32>(- slope_over_r_0) * _S56, 1.0f);
     var _S57 : vec3<f32>;
     if(in_front_0)
     {
-        _S57 = normal_12;
+        _S57 = normal_13;
     }
     else
     {

@@ -591,9 +591,8 @@ fn skin_variance_shadow_0( mean_depth_mm_0 : f32,  mean_square_depth_mm2_0 : f32
     return _S21 / (_S21 + _S22 * _S22);
 }
 
-fn skin_shadow_slope_0( normal_3 : vec3<f32>,  to_light_1 : vec3<f32>,  curvature_per_mm_4 : f32,  light_right_0 : vec3<f32>,  light_up_0 : vec3<f32>) -> vec2<f32>
+fn skin_plane_slope_0( normal_3 : vec3<f32>,  to_light_1 : vec3<f32>,  light_right_0 : vec3<f32>,  light_up_0 : vec3<f32>,  least_cosine_0 : f32) -> vec2<f32>
 {
-    var plane_normal_0 : vec3<f32> = skin_unit_vectors_0(normal_3 + to_light_1 * vec3<f32>(max(- dot(normal_3, to_light_1), 0.0f)));
     var axis_0 : vec3<f32> = cross(light_right_0, light_up_0);
     var handedness_0 : f32;
     if((dot(to_light_1, axis_0)) < 0.0f)
@@ -604,7 +603,12 @@ fn skin_shadow_slope_0( normal_3 : vec3<f32>,  to_light_1 : vec3<f32>,  curvatur
     {
         handedness_0 = 1.0f;
     }
-    var slope_0 : vec2<f32> = vec2<f32>(dot(plane_normal_0, light_right_0), - dot(plane_normal_0, light_up_0)) / vec2<f32>(max(handedness_0 * dot(plane_normal_0, axis_0), 0.00100000004749745f));
+    return vec2<f32>(dot(normal_3, light_right_0), - dot(normal_3, light_up_0)) / vec2<f32>(max(handedness_0 * dot(normal_3, axis_0), least_cosine_0));
+}
+
+fn skin_shadow_slope_0( normal_4 : vec3<f32>,  to_light_2 : vec3<f32>,  curvature_per_mm_4 : f32,  light_right_1 : vec3<f32>,  light_up_1 : vec3<f32>) -> vec2<f32>
+{
+    var slope_0 : vec2<f32> = skin_plane_slope_0(skin_unit_vectors_0(normal_4 + to_light_2 * vec3<f32>(max(- dot(normal_4, to_light_2), 0.0f))), to_light_2, light_right_1, light_up_1, 0.00100000004749745f);
     return slope_0 / vec2<f32>(max(length(slope_0) / (1.0f + 7.0f * saturate(1.0f + curvature_per_mm_4 / 0.03999999910593033f)), 1.0f));
 }
 
@@ -616,19 +620,9 @@ fn compared_0( uv_4 : vec2<f32>,  receiver_mm_0 : f32,  layer_1 : i32) -> f32
     return filtered_0(select(vec4<f32>(0.0f), vec4<f32>(1.0f), _S24 >= vec4<f32>(receiver_mm_0)), t_3.share_1);
 }
 
-fn skin_contact_slope_0( face_normal_1 : vec3<f32>,  to_light_2 : vec3<f32>,  light_right_1 : vec3<f32>,  light_up_1 : vec3<f32>) -> vec2<f32>
+fn skin_contact_slope_0( face_normal_1 : vec3<f32>,  to_light_3 : vec3<f32>,  light_right_2 : vec3<f32>,  light_up_2 : vec3<f32>) -> vec2<f32>
 {
-    var axis_1 : vec3<f32> = cross(light_right_1, light_up_1);
-    var handedness_1 : f32;
-    if((dot(to_light_2, axis_1)) < 0.0f)
-    {
-        handedness_1 = -1.0f;
-    }
-    else
-    {
-        handedness_1 = 1.0f;
-    }
-    return vec2<f32>(dot(face_normal_1, light_right_1), - dot(face_normal_1, light_up_1)) / vec2<f32>(max(handedness_1 * dot(face_normal_1, axis_1), 0.05000000074505806f));
+    return skin_plane_slope_0(face_normal_1, to_light_3, light_right_2, light_up_2, 0.05000000074505806f);
 }
 
 fn skin_contact_bias_0( slope_1 : vec2<f32>) -> f32
@@ -650,14 +644,14 @@ fn skin_faded_contact_0( share_3 : f32,  cosine_1 : f32) -> f32
     return 1.0f - saturate((cosine_1 - 0.05000000074505806f) / 0.10000000894069672f) * (1.0f - share_3);
 }
 
-fn skin_inward_offset_0( position_mm_3 : vec3<f32>,  normal_4 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
+fn skin_inward_offset_0( position_mm_3 : vec3<f32>,  normal_5 : vec3<f32>,  offset_mm_0 : f32) -> vec3<f32>
 {
-    return position_mm_3 - normal_4 * vec3<f32>(offset_mm_0);
+    return position_mm_3 - normal_5 * vec3<f32>(offset_mm_0);
 }
 
 struct Incident_0
 {
-     to_light_3 : vec3<f32>,
+     to_light_4 : vec3<f32>,
      radiance_0 : vec3<f32>,
      shadow_filter_0 : f32,
      thickness_mm_0 : f32,
@@ -848,7 +842,7 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     var irradiance_1 : vec3<f32> = lights_0[index_0].irradiance_0.xyz;
     var i_0 : Incident_0;
     var _S92 : vec3<f32> = lights_0[index_0].direction_0.xyz;
-    i_0.to_light_3 = _S92;
+    i_0.to_light_4 = _S92;
     var through_2 : bool;
     if(SPOT_LIGHTS_0 > i32(0))
     {
@@ -863,7 +857,7 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     {
         var to_lamp_mm_0 : vec3<f32> = lights_0[index_0].position_mm_0.xyz - s_2.position_1;
         var _S93 : vec3<f32> = skin_unit_vectors_0(to_lamp_mm_0);
-        i_0.to_light_3 = _S93;
+        i_0.to_light_4 = _S93;
         var outer_0 : f32 = lights_0[index_0].cone_cosines_0.x;
         var t_4 : f32 = saturate((dot(_S93, _S92) - outer_0) / (lights_0[index_0].cone_cosines_0.y - outer_0));
         irradiance_2 = irradiance_1 * vec3<f32>((lights_0[index_0].target_distance_mm_0 * lights_0[index_0].target_distance_mm_0 / max(dot(to_lamp_mm_0, to_lamp_mm_0), 1.0f) * t_4 * t_4 * (3.0f - 2.0f * t_4)));
@@ -873,11 +867,11 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
         irradiance_2 = irradiance_1;
     }
     i_0.radiance_0 = irradiance_2 / vec3<f32>(3.14159274101257324f);
-    var cosine_2 : f32 = dot(s_2.mesh_normal_0, i_0.to_light_3);
+    var cosine_2 : f32 = dot(s_2.mesh_normal_0, i_0.to_light_4);
     i_0.shadow_filter_0 = 0.0f;
     if(cosine_2 > -0.60000002384185791f)
     {
-        var _S94 : f32 = wide_filter_0(index_0, i32(2) * index_0, s_2, i_0.to_light_3);
+        var _S94 : f32 = wide_filter_0(index_0, i32(2) * index_0, s_2, i_0.to_light_4);
         i_0.shadow_filter_0 = _S94;
     }
     i_0.contact_0 = 1.0f;
@@ -891,7 +885,7 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     }
     if(through_2)
     {
-        through_2 = (dot(s_2.face_normal_0, i_0.to_light_3)) > 0.05000000074505806f;
+        through_2 = (dot(s_2.face_normal_0, i_0.to_light_4)) > 0.05000000074505806f;
     }
     else
     {
@@ -899,7 +893,7 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     }
     if(through_2)
     {
-        var _S95 : f32 = contact_filter_0(index_0, i32(2) * index_0 + i32(1), s_2, i_0.to_light_3);
+        var _S95 : f32 = contact_filter_0(index_0, i32(2) * index_0 + i32(1), s_2, i_0.to_light_4);
         i_0.contact_0 = _S95;
     }
     var through_below_0 : f32;
@@ -917,7 +911,7 @@ fn incident_0( index_0 : i32,  s_2 : Surface_0) -> Incident_0
     }
     else
     {
-        through_2 = (dot(s_2.blurred_0, i_0.to_light_3)) < through_below_0;
+        through_2 = (dot(s_2.blurred_0, i_0.to_light_4)) < through_below_0;
     }
     i_0.thickness_mm_0 = 1000.0f;
     var _S96 : bool;
@@ -993,9 +987,9 @@ fn skin_direct_scalar_0( lut_3 : texture_2d<f32>,  lut_sampler_4 : sampler,  lut
     return gain_0 * (lengths_2 * skin_curvature_table_0(lut_3, lut_sampler_4, lut_axes_3, cos_theta_2, abs(curvature_per_mm_6)) + skin_relief_light_0(lengths_2, cos_theta_2));
 }
 
-fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_5 : vec3<f32>,  light_2 : vec3<f32>) -> vec2<f32>
+fn skin_directional_curvature_0( tensor_world_0 : mat3x3<f32>,  normal_6 : vec3<f32>,  light_2 : vec3<f32>) -> vec2<f32>
 {
-    var tangential_0 : vec3<f32> = light_2 - normal_5 * vec3<f32>(dot(light_2, normal_5));
+    var tangential_0 : vec3<f32> = light_2 - normal_6 * vec3<f32>(dot(light_2, normal_6));
     var change_0 : vec3<f32> = vec3<f32>(dot(tensor_world_0[i32(0)], tangential_0), dot(tensor_world_0[i32(1)], tangential_0), dot(tensor_world_0[i32(2)], tangential_0));
     var total_21 : f32 = sqrt(dot(tensor_world_0[i32(0)], tensor_world_0[i32(0)]) + dot(tensor_world_0[i32(1)], tensor_world_0[i32(1)]) + dot(tensor_world_0[i32(2)], tensor_world_0[i32(2)]));
     return vec2<f32>(min(sqrt(dot(change_0, change_0) / max(dot(tangential_0, tangential_0), 9.999999960041972e-13f)), total_21), total_21);
@@ -1020,18 +1014,18 @@ fn skin_direct_diffused_normals_0( lut_5 : texture_2d<f32>,  lut_sampler_6 : sam
     return gain_2 * (skin_curvature_table_0(lut_5, lut_sampler_6, lut_axes_5, cos_theta_4, directional_per_mm_1) * min(lengths_4 / max(skin_transfer_0(transfer_2, transfer_sampler_2, transfer_axes_3, directional_per_mm_1), vec3<f32>(9.99999997475242708e-07f)), vec3<f32>(1.0f)) + skin_relief_light_0(relief_length_1, cos_theta_4));
 }
 
-fn diffused_light_0( s_4 : Surface_0,  d_1 : Diffused_0,  to_light_4 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
+fn diffused_light_0( s_4 : Surface_0,  d_1 : Diffused_0,  to_light_5 : vec3<f32>,  gain_3 : vec3<f32>) -> vec3<f32>
 {
     if(TIER_0 == i32(0))
     {
-        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_1.normals_1, to_light_4, s_4.curvature_per_mm_0, gain_3);
+        return skin_direct_scalar_0(sphere_lut_0, lut_sampler_0, scatter_block_0.sphere_axes_0, d_1.normals_1, to_light_5, s_4.curvature_per_mm_0, gain_3);
     }
-    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_4.tensor_1, s_4.mesh_normal_0, to_light_4);
+    var bends_0 : vec2<f32> = skin_directional_curvature_0(s_4.tensor_1, s_4.mesh_normal_0, to_light_5);
     if(TIER_0 == i32(1))
     {
-        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_1.normals_1, to_light_4, bends_0.x, bends_0.y, gain_3);
+        return skin_direct_tensor_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_1.normals_1, to_light_5, bends_0.x, bends_0.y, gain_3);
     }
-    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_1.with_mesh_0, d_1.relief_length_0, to_light_4, bends_0.x, gain_3);
+    return skin_direct_diffused_normals_0(ring_lut_0, lut_sampler_0, scatter_block_0.ring_axes_0, transfer_lut_0, lut_sampler_0, scatter_block_0.transfer_axes_0, d_1.with_mesh_0, d_1.relief_length_0, to_light_5, bends_0.x, gain_3);
 }
 
 fn skin_classic_transmittance_0( thickness_mm_1 : f32,  radius_mm_1 : f32) -> f32
@@ -1060,7 +1054,7 @@ fn skin_direct_deep_scatter_0( transmitted_0 : vec3<f32>,  n_dot_l_2 : f32,  str
 
 fn light_through_0( s_5 : Surface_0,  light_5 : Incident_0) -> vec3<f32>
 {
-    var n_dot_l_3 : f32 = dot(s_5.blurred_0, light_5.to_light_3);
+    var n_dot_l_3 : f32 = dot(s_5.blurred_0, light_5.to_light_4);
     if(SHADING_0 == i32(1))
     {
         return vec3<f32>(skin_classic_deep_scatter_0(light_5.thickness_mm_0, n_dot_l_3, skin_block_0.classic_deep_scatter_radius_mm_0, skin_block_0.deep_scatter_strength_0));
@@ -1098,12 +1092,12 @@ fn skin_lobe_0( n_dot_h_0 : f32,  n_dot_l_4 : f32,  n_dot_v_0 : f32,  power_1 : 
     return (power_1 + 2.0f) / 6.28318548202514648f * pow(max(n_dot_h_0, 9.99999971718068537e-10f), power_1) * (0.25f / ((k_2 + _S102 * n_dot_l_4) * (k_2 + _S102 * n_dot_v_0)));
 }
 
-fn skin_specular_0( normal_6 : vec3<f32>,  view_2 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
+fn skin_specular_0( normal_7 : vec3<f32>,  view_2 : vec3<f32>,  light_7 : vec3<f32>,  gloss_4 : f32,  reflectance_2 : f32) -> f32
 {
     var half_vector_0 : vec3<f32> = skin_unit_vectors_0(view_2 + light_7);
-    var n_dot_l_5 : f32 = saturate(dot(normal_6, light_7));
-    var n_dot_v_1 : f32 = clamp(dot(normal_6, view_2), 0.00009999999747379f, 1.0f);
-    var n_dot_h_1 : f32 = saturate(dot(normal_6, half_vector_0));
+    var n_dot_l_5 : f32 = saturate(dot(normal_7, light_7));
+    var n_dot_v_1 : f32 = clamp(dot(normal_7, view_2), 0.00009999999747379f, 1.0f);
+    var n_dot_h_1 : f32 = saturate(dot(normal_7, half_vector_0));
     var wide_0 : f32 = skin_specular_power_0(gloss_4);
     var grazing_0 : f32 = 1.0f - saturate(dot(view_2, half_vector_0));
     var grazing2_0 : f32 = grazing_0 * grazing_0;
@@ -1121,15 +1115,15 @@ fn skin_coat_fresnel_0( cosine_3 : f32,  reflectance_3 : f32) -> f32
     return 0.5f * across_0 * across_0 * (1.0f + along_0 * along_0);
 }
 
-fn skin_coat_highlight_0( normal_7 : vec3<f32>,  view_3 : vec3<f32>,  light_8 : vec3<f32>,  gloss_5 : f32,  reflectance_4 : f32) -> f32
+fn skin_coat_highlight_0( normal_8 : vec3<f32>,  view_3 : vec3<f32>,  light_8 : vec3<f32>,  gloss_5 : f32,  reflectance_4 : f32) -> f32
 {
     var half_vector_1 : vec3<f32> = skin_unit_vectors_0(view_3 + light_8);
-    var n_dot_l_6 : f32 = saturate(dot(normal_7, light_8));
-    var n_dot_v_2 : f32 = clamp(dot(normal_7, view_3), 0.00009999999747379f, 1.0f);
-    var n_dot_h_2 : f32 = saturate(dot(normal_7, half_vector_1));
+    var n_dot_l_6 : f32 = saturate(dot(normal_8, light_8));
+    var n_dot_v_2 : f32 = clamp(dot(normal_8, view_3), 0.00009999999747379f, 1.0f);
+    var n_dot_h_2 : f32 = saturate(dot(normal_8, half_vector_1));
     var v_dot_h_0 : f32 = saturate(dot(view_3, half_vector_1));
     var squared_0 : f32 = 2.0f / (skin_specular_power_0(gloss_5) + 2.0f);
-    var side_0 : vec3<f32> = cross(normal_7, half_vector_1);
+    var side_0 : vec3<f32> = cross(normal_8, half_vector_1);
     var sine2_0 : f32;
     if(n_dot_h_2 > 0.0f)
     {
@@ -1149,18 +1143,18 @@ fn skin_second_gloss_0( gloss_6 : f32) -> f32
     return min(2.0f * gloss_6, 1.0f);
 }
 
-fn highlight_0( s_6 : Surface_0,  to_light_5 : vec3<f32>) -> f32
+fn highlight_0( s_6 : Surface_0,  to_light_6 : vec3<f32>) -> f32
 {
     if(SPECULAR_0 == i32(2))
     {
-        return skin_specular_0(s_6.sharp_0, s_6.view_0, to_light_5, s_6.gloss_3, s_6.reflectance_1);
+        return skin_specular_0(s_6.sharp_0, s_6.view_0, to_light_6, s_6.gloss_3, s_6.reflectance_1);
     }
-    var first_3 : f32 = skin_coat_highlight_0(s_6.sharp_0, s_6.view_0, to_light_5, s_6.gloss_3, s_6.reflectance_1);
+    var first_3 : f32 = skin_coat_highlight_0(s_6.sharp_0, s_6.view_0, to_light_6, s_6.gloss_3, s_6.reflectance_1);
     if(SPECULAR_0 == i32(0))
     {
         return first_3;
     }
-    return mix(first_3, skin_coat_highlight_0(s_6.sharp_0, s_6.view_0, to_light_5, skin_second_gloss_0(s_6.gloss_3), s_6.reflectance_1), 0.05000000074505806f);
+    return mix(first_3, skin_coat_highlight_0(s_6.sharp_0, s_6.view_0, to_light_6, skin_second_gloss_0(s_6.gloss_3), s_6.reflectance_1), 0.05000000074505806f);
 }
 
 fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_2 : vec3<f32>) -> vec3<f32>
@@ -1171,9 +1165,9 @@ fn skin_sh_bands_0( sh_0 : mat3x3<f32>,  d_2 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(0.282094806432724f * sh_0[i32(0)].x, 0.48860251903533936f * (sh_0[i32(0)].y * _S106 + sh_0[i32(0)].z * _S107 + sh_0[i32(1)].x * _S108), 1.09254848957061768f * (sh_0[i32(1)].y * _S108 * _S106 + sh_0[i32(1)].z * _S106 * _S107 + sh_0[i32(2)].y * _S108 * _S107) + 0.31539157032966614f * sh_0[i32(2)].x * (3.0f * _S107 * _S107 - dot(d_2, d_2)) + 0.54627424478530884f * sh_0[i32(2)].z * (_S108 * _S108 - _S106 * _S106));
 }
 
-fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_8 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
+fn skin_ambient_channel_0( sh_1 : mat3x3<f32>,  normal_9 : vec3<f32>,  band_transfer_0 : vec3<f32>) -> f32
 {
-    return max(dot(skin_sh_bands_0(sh_1, normal_8), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_8)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
+    return max(dot(skin_sh_bands_0(sh_1, normal_9), vec3<f32>(1.0f, 1.0f, skin_safe_length_0(normal_9)) * band_transfer_0 * vec3<f32>(1.0f, 0.66666668653488159f, 0.25f)), 0.0f);
 }
 
 fn skin_ambient_irradiance_0( radiance_sh_red_0 : mat3x3<f32>,  radiance_sh_green_0 : mat3x3<f32>,  radiance_sh_blue_0 : mat3x3<f32>,  normals_6 : mat3x3<f32>,  band_transfer_1 : mat3x3<f32>) -> vec3<f32>
@@ -1195,9 +1189,9 @@ fn skin_ambient_specular_fresnel_0( n_dot_v_3 : f32,  gloss_7 : f32,  reflectanc
     return reflectance_5 + (1.0f - reflectance_5) * grazing2_1 * grazing2_1 * grazing_1 / (4.0f - 3.0f * gloss_7);
 }
 
-fn skin_reflected_0( normal_9 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
+fn skin_reflected_0( normal_10 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
 {
-    return vec3<f32>((2.0f * dot(normal_9, view_4))) * normal_9 - view_4;
+    return vec3<f32>((2.0f * dot(normal_10, view_4))) * normal_10 - view_4;
 }
 
 fn skin_turns_0( y_1 : f32,  x_4 : f32) -> f32
@@ -1268,10 +1262,10 @@ fn coat_of_0( s_7 : Surface_0,  n_dot_v_5 : f32,  gloss_10 : f32) -> vec2<f32>
     return skin_coat_0(coat_lut_0, lut_sampler_0, scatter_block_0.coat_axes_0, n_dot_v_5, gloss_10, s_7.reflectance_1, scatter_block_0.coat_reflectance_0);
 }
 
-fn skin_coat_direction_0( normal_10 : vec3<f32>,  view_5 : vec3<f32>,  pull_0 : f32) -> vec3<f32>
+fn skin_coat_direction_0( normal_11 : vec3<f32>,  view_5 : vec3<f32>,  pull_0 : f32) -> vec3<f32>
 {
-    var mirrored_0 : vec3<f32> = skin_reflected_0(normal_10, view_5);
-    return skin_unit_vectors_0(mirrored_0 + vec3<f32>(pull_0) * (normal_10 - mirrored_0));
+    var mirrored_0 : vec3<f32> = skin_reflected_0(normal_11, view_5);
+    return skin_unit_vectors_0(mirrored_0 + vec3<f32>(pull_0) * (normal_11 - mirrored_0));
 }
 
 fn skin_coat_radiance_0( preconvolved_3 : texture_2d<f32>,  preconvolved_sampler_2 : sampler,  direction_3 : vec3<f32>,  n_dot_v_6 : f32,  gloss_11 : f32) -> vec3<f32>
@@ -1307,16 +1301,16 @@ fn reflected_sky_0( s_9 : Surface_0,  n_dot_v_8 : f32,  share_5 : ptr<function, 
     return mix(first_4, second_0, vec3<f32>(0.05000000074505806f));
 }
 
-fn skin_reflected_visibility_0( sky_harmonics_2 : mat3x3<f32>,  normal_11 : vec3<f32>,  direction_5 : vec3<f32>) -> f32
+fn skin_reflected_visibility_0( sky_harmonics_2 : mat3x3<f32>,  normal_12 : vec3<f32>,  direction_5 : vec3<f32>) -> f32
 {
     var bands_0 : vec3<f32> = skin_sh_bands_0(sky_harmonics_2, direction_5);
-    var _S119 : f32 = max(dot(normal_11, direction_5), 0.0f);
+    var _S119 : f32 = max(dot(normal_12, direction_5), 0.0f);
     return saturate((bands_0.x + bands_0.y + bands_0.z) / ((0.375f + _S119 * (2.0f + 1.875f * _S119)) * 0.07957746833562851f));
 }
 
-fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_2 : vec3<f32>,  sky_harmonics_3 : mat3x3<f32>,  normal_12 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
+fn skin_occluded_reflection_0( sky_0 : vec3<f32>,  bounced_2 : vec3<f32>,  sky_harmonics_3 : mat3x3<f32>,  normal_13 : vec3<f32>,  direction_6 : vec3<f32>) -> vec3<f32>
 {
-    return mix(bounced_2 / vec3<f32>(max(1.0f - sky_harmonics_3[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_3, normal_12, direction_6)));
+    return mix(bounced_2 / vec3<f32>(max(1.0f - sky_harmonics_3[i32(0)].x / 0.282094806432724f, 0.01999999955296516f)), sky_0, vec3<f32>(skin_reflected_visibility_0(sky_harmonics_3, normal_13, direction_6)));
 }
 
 @id(13) override BOUNDARY_0 : i32 = i32(0);
@@ -1530,7 +1524,7 @@ fn fragment_main( _S124 : pixelInput_0, @invariant @builtin(position) clip_2 : v
         {
             thinnest_0 = min(thinnest_0, light_9.thickness_mm_0);
         }
-        var n_dot_l_7 : f32 = dot(s_12.mesh_normal_0, light_9.to_light_3);
+        var n_dot_l_7 : f32 = dot(s_12.mesh_normal_0, light_9.to_light_4);
         var width_1 : f32 = skin_block_0.shadow_filter_width_mm_0;
         if(_S137)
         {
@@ -1551,7 +1545,7 @@ fn fragment_main( _S124 : pixelInput_0, @invariant @builtin(position) clip_2 : v
             {
                 diffuse_1 = shadow_1;
             }
-            diffuse_1 = diffused_light_0(s_12, diffused_1, light_9.to_light_3, gain_4) * diffuse_1;
+            diffuse_1 = diffused_light_0(s_12, diffused_1, light_9.to_light_4, gain_4) * diffuse_1;
         }
         else
         {
@@ -1560,7 +1554,7 @@ fn fragment_main( _S124 : pixelInput_0, @invariant @builtin(position) clip_2 : v
         var _S141 : bool;
         if(TAPS_0 > i32(0))
         {
-            _S141 = (dot(s_12.blurred_0, light_9.to_light_3)) < 0.30000001192092896f;
+            _S141 = (dot(s_12.blurred_0, light_9.to_light_4)) < 0.30000001192092896f;
         }
         else
         {
@@ -1598,7 +1592,7 @@ fn fragment_main( _S124 : pixelInput_0, @invariant @builtin(position) clip_2 : v
         }
         if(SHADING_0 == i32(0))
         {
-            diffuse_2 = vec3<f32>((max(dot(s_12.sharp_0, light_9.to_light_3), 0.0f) * lit_2));
+            diffuse_2 = vec3<f32>((max(dot(s_12.sharp_0, light_9.to_light_4), 0.0f) * lit_2));
         }
         else
         {
@@ -1607,7 +1601,7 @@ fn fragment_main( _S124 : pixelInput_0, @invariant @builtin(position) clip_2 : v
         var lit_3 : f32;
         if(_S136)
         {
-            var diffuse_4 : vec3<f32> = skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_12.sharp_0, s_12.blurred_0, light_9.to_light_3, s_12.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
+            var diffuse_4 : vec3<f32> = skin_classic_direct_0(classic_lut_0, lut_sampler_0, scatter_block_0.classic_axes_0, s_12.sharp_0, s_12.blurred_0, light_9.to_light_4, s_12.curvature_per_mm_0) * skin_diffused_shadow_0(classic_shadow_lut_0, lut_sampler_0, scatter_block_0.classic_shadow_axes_0, light_9.shadow_filter_0, n_dot_l_7, width_1);
             lit_3 = skin_classic_sharpened_shadow_0(light_9.shadow_filter_0, skin_block_0.shadow_sharpening_0);
             diffuse_3 = diffuse_4;
         }
@@ -1616,7 +1610,7 @@ fn fragment_main( _S124 : pixelInput_0, @invariant @builtin(position) clip_2 : v
             lit_3 = lit_2;
             diffuse_3 = diffuse_2;
         }
-        var specular_1 : vec3<f32> = specular_0 + light_9.radiance_0 * vec3<f32>(lit_3) * vec3<f32>(highlight_0(s_12, light_9.to_light_3));
+        var specular_1 : vec3<f32> = specular_0 + light_9.radiance_0 * vec3<f32>(lit_3) * vec3<f32>(highlight_0(s_12, light_9.to_light_4));
         direct_0 = direct_0 + light_9.radiance_0 * diffuse_3;
         specular_0 = specular_1;
         var _S142 : i32 = index_1 + i32(1);
